@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// truth.csv and tracks.csv: the tables that programs exchange. Columns: README of apps.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "vdamf/tracking/types/track.h"
+
+namespace vdamf
+{
+/// One labelled object in one frame. World frame: x east, y north, z up.
+struct TruthRow
+{
+    double time = 0.0;        ///< s (UNIX)
+    std::string objectId;     ///< without comma
+    std::string objectClass;  ///< Car, Van, Truck, Tram, Bus, Pedestrian, Cyclist, Other
+    OrientedBox box;          ///< m, rad
+    double z = 0.0;           ///< bottom, m
+    double height = 0.0;      ///< m
+    double speed = 0.0;       ///< along the heading, m/s
+    int points = -1;          ///< LADAR hits inside the box, -1 if unknown
+};
+
+/// One row of tracks.csv.
+struct TrackRow
+{
+    double time = 0.0;
+    TrackReport report;
+};
+
+// Times are written with 6 decimals, all other numbers with enough digits for their use.
+std::string truthHeader();
+std::string toCsv(const TruthRow& row);  ///< with the line's end
+std::vector<TruthRow> readTruth(const std::filesystem::path& path);
+
+const std::vector<std::string>& trackColumns();
+std::string tracksHeader();
+std::string toCsv(const FrameResult& frame);  ///< one line a track
+std::vector<TrackRow> readTracks(const std::filesystem::path& path);
+
+/// The columns of tracks.csv as numbers, in order (status by its enum value, faces by their bits,
+/// NaN for what is empty): the table inside annotated rawlogs. Column names: trackColumns().
+std::vector<double> toNumbers(double time, const TrackReport& report);
+
+}  // namespace vdamf

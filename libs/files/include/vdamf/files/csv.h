@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Strict CSV tables: one header line, columns by name in any order, more columns than needed.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace vdamf
+{
+/// Reads a table row by row in constant memory. Every error is a std::runtime_error that names
+/// file, line and column: a missing required column, a bad number, a row of another length, an
+/// empty file.
+class CsvReader
+{
+public:
+    /// Opens the file and reads its header. `required`: columns that must exist.
+    CsvReader(const std::filesystem::path& path, const std::vector<std::string>& required);
+    ~CsvReader();
+    CsvReader(const CsvReader&) = delete;
+    CsvReader& operator=(const CsvReader&) = delete;
+
+    bool next();  ///< to the next row; false at the end (blank lines are skipped)
+    int line() const;
+    bool hasColumn(std::string_view column) const;
+
+    // Values of the current row by column name.
+    const std::string& text(std::string_view column) const;
+    double number(std::string_view column) const;            ///< finite
+    std::int64_t integer(std::string_view column) const;
+    std::optional<double> optionalNumber(std::string_view column) const;  ///< nothing if empty
+
+    /// An error about the current row, for checks of the caller.
+    [[noreturn]] void fail(std::string_view column, const std::string& what) const;
+
+private:
+    struct State;
+    State* state_;
+};
+
+/// Shortest decimal text that reads back as exactly this number.
+std::string toText(double value);
+
+}  // namespace vdamf

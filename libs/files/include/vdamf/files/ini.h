@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Strict ini files: every section and key must be known, every value must parse to its end.
+#pragma once
+
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "vdamf/tracking/types/options.h"
+
+namespace vdamf
+{
+struct IniEntry
+{
+    std::string key;
+    std::string value;  ///< trimmed
+    int line = 0;       ///< 0: not from a file (command line)
+};
+
+struct IniSection
+{
+    std::string name;
+    int line = 0;
+    std::vector<IniEntry> entries;
+};
+
+/// A parsed ini file. `[section]`, `key = value`; comments: a line that starts with `#` or `;`,
+/// and anything after ` //`, ` #` or ` ;` behind a value (a blank before the mark). A duplicate
+/// section or key, or a line that is neither, is a std::runtime_error "file:line: ...".
+class IniDocument
+{
+public:
+    static IniDocument parse(std::string_view text, std::string fileName);
+    static IniDocument load(const std::filesystem::path& path);
+
+    /// "section.key=value" from a command line; replaces a value of the file or adds one.
+    void set(std::string_view assignment);
+
+    const std::string& fileName() const { return fileName_; }
+    const std::vector<IniSection>& sections() const { return sections_; }
+    const IniSection* find(std::string_view section) const;
+
+private:
+    std::string fileName_;
+    std::vector<IniSection> sections_;
+};
+
+/// Reads options structs (types/options.h) from a document and keeps the books of what is known.
+///
+///     IniReader reader(document);
+///     reader.read("clustering", options.clustering);
+///     reader.finish();  // throws IniError that lists every problem
+///
+/// Problems found: unknown section or key (with the nearest known one), value that does not parse
+/// to its end, bool other than true/false, unknown enum name (with the names), out of range. All
+/// name file, line, section.key and what was expected.
+class IniReader
+{
+public:
+    explicit IniReader(const IniDocument& document) : document_(document) {}
+
+    template <class Options>
+    void read(const std::string& section, Options& options)
+    {
+        beginSection(section);
+        Options::visit(options, *this);
+    }
+
+    void finish();
+
+    // Visitors, called by Options::visit.
+    void operator()(double& v, const char* key, double min, double max, const char* comment);
+    void operator()(int& v, const char* key, int min, int max, const char* comment);
+    void operator()(bool& v, const char* key, const char* comment);
+    void operator()(std::string& v, const char* key, const char* comment);
+    template <class Enum, class = std::enable_if_t<std::is_enum_v<Enum>>>
+    void operator()(Enum& v, const char* key, const char* comment)
+    {
+        std::vector<std::string> names;
+        for (const auto& [value, name] : EnumNames<Enum>::names()) names.emplace_back(name);
+        const int index = readEnum(key, names, comment);
+        if (index >= 0) v = EnumNames<Enum>::names()[static_cast<std::size_t>(index)].first;
+    }
+
+private:
+    void beginSection(const std::string& section);
+    int readEnum(const char* key, const std::vector<std::string>& names, const char* comment);
+    const IniEntry* entry(const char* key);
+    void problem(const IniEntry& entry, const std::string& expected);
+
+    const IniDocument& document_;
+    std::string section_;
+    std::vector<std::string> known_;  ///< "section.key"
+    std::vector<std::string> problems_;
+};
+
+/// Thrown by IniReader::finish: one line a problem.
+class IniError : public std::runtime_error
+{
+public:
+    using std::runtime_error::runtime_error;
+};
+
+/// Writes options structs as a commented ini text, the exact inverse of IniReader (round trip to
+/// the last bit: shortest decimal that reads back the same).
+///
+///     # largest gap inside a cluster (0.05 to 2)
+///     gap_m = 0.4
+class IniWriter
+{
+public:
+    template <class Options>
+    void write(const std::string& section, const std::string& comment, const Options& options)
+    {
+        beginSection(section, comment);
+        Options::visit(options, *this);
+    }
+
+    const std::string& text() const { return text_; }
+
+    void operator()(const double& v, const char* key, double min, double max, const char* comment);
+    void operator()(const int& v, const char* key, int min, int max, const char* comment);
+    void operator()(const bool& v, const char* key, const char* comment);
+    void operator()(const std::string& v, const char* key, const char* comment);
+    template <class Enum, class = std::enable_if_t<std::is_enum_v<Enum>>>
+    void operator()(const Enum& v, const char* key, const char* comment)
+    {
+        std::string all;
+        const char* name = "";
+        for (const auto& [value, text] : EnumNames<Enum>::names())
+        {
+            all += (all.empty() ? "" : " | ") + std::string(text);
+            if (value == v) name = text;
+        }
+        writeEntry(key, name, std::string(comment) + " (" + all + ")");
+    }
+
+private:
+    void beginSection(const std::string& section, const std::string& comment);
+    void writeEntry(const char* key, const std::string& value, const std::string& comment);
+
+    std::string text_;
+};
+
+}  // namespace vdamf

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// An output file that appears under its name only when it is whole.
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+namespace vdamf
+{
+/// Writes to `<path>.partial` and renames it to `<path>` on commit(). Every write and the close
+/// are checked. All errors are std::runtime_error that name the file and the system's reason.
+class OutputFile
+{
+public:
+    enum class Existing
+    {
+        Refuse,
+        Overwrite
+    };
+    enum class Unfinished
+    {
+        Discard,  ///< without commit() nothing stays behind
+        Keep      ///< without commit() `<path>.partial` stays, for example after an interruption
+    };
+
+    OutputFile(std::filesystem::path path, Existing existing, Unfinished unfinished);
+    ~OutputFile();
+    OutputFile(const OutputFile&) = delete;
+    OutputFile& operator=(const OutputFile&) = delete;
+
+    void write(std::string_view bytes);
+    void commit();
+
+    const std::filesystem::path& path() const { return path_; }
+    const std::filesystem::path& partialPath() const { return partialPath_; }
+
+private:
+    std::filesystem::path path_;
+    std::filesystem::path partialPath_;
+    Unfinished unfinished_;
+    int descriptor_ = -1;
+};
+
+}  // namespace vdamf

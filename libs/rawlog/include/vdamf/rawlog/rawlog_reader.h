@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reads MRPT rawlogs as a stream: both formats, plain or gz, past unknown and damaged objects.
+#pragma once
+
+#include <mrpt/serialization/CSerializable.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace vdamf
+{
+/// One top-level object of a rawlog.
+struct RawlogEntry
+{
+    enum class Kind
+    {
+        Object,   ///< read whole
+        Null,     ///< a null object
+        Unknown,  ///< a class that this MRPT does not know, or bytes up to the next known object
+        Damaged   ///< an object that could not be read, with the bytes up to the next known object
+    };
+    Kind kind = Kind::Object;
+    std::string bytes;                            ///< as they stand in the (uncompressed) file
+    mrpt::serialization::CSerializable::Ptr object;  ///< null unless kind is Object
+    std::uint64_t offset = 0;                     ///< of the first byte, uncompressed
+    std::string problem;                          ///< why, for Unknown and Damaged
+};
+
+/// What a reader met so far.
+struct RawlogSummary
+{
+    std::uint64_t objects = 0;
+    std::uint64_t nulls = 0;
+    std::uint64_t unknown = 0;
+    std::uint64_t damaged = 0;
+    std::uint64_t bytes = 0;             ///< uncompressed
+    std::vector<std::string> problems;   ///< the first 20, each with its offset
+    bool truncated = false;              ///< the file ends inside an object or its gz stream breaks
+    std::string truncation;              ///< what was met there
+};
+
+/// Streams the entries of a rawlog in file order. Memory holds one entry at a time.
+class RawlogReader
+{
+public:
+    /// Opens the file. Throws std::runtime_error that names it: missing, unreadable, a folder,
+    /// empty, or without any rawlog object near its start ("not a rawlog").
+    explicit RawlogReader(const std::filesystem::path& path);
+    ~RawlogReader();
+    RawlogReader(const RawlogReader&) = delete;
+    RawlogReader& operator=(const RawlogReader&) = delete;
+
+    /// The next entry, or nothing at the end of the file (or where a truncated file ends).
+    /// Concatenated `bytes` of all entries are the whole uncompressed file.
+    std::optional<RawlogEntry> next();
+
+    const RawlogSummary& summary() const;
+    /// Read so far, 0..1, by compressed bytes: for progress bars.
+    double progress() const;
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace vdamf

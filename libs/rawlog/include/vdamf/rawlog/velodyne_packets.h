@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Velodyne data packets (1206 bytes: 12 blocks of 32 returns): decoded, and encoded for
+// simulated sensors. Sources: the HDL-64E S2/S3, HDL-32E and VLP-16 user manuals.
+#pragma once
+
+#include <mrpt/obs/CObservationVelodyneScan.h>
+
+#include <string>
+#include <vector>
+
+#include "vdamf/tracking/types/point_cloud.h"
+
+namespace vdamf
+{
+enum class VelodyneModel
+{
+    VLP16,
+    HDL32E,
+    HDL64E
+};
+
+/// All returns of a scan in the sensor's frame (x forward at azimuth 0, y left, z up), with
+/// intensity 0..1 and the firing time of each return relative to the observation's time. MRPT's
+/// own conversion loses half of the returns and gives one time a packet. In dual-return packets
+/// the second of two equal returns is dropped. Throws std::runtime_error on an unknown model.
+PointCloud decodeVelodyne(const mrpt::obs::CObservationVelodyneScan& scan);
+
+/// Elevation of each laser in the order of the packet, rad.
+const std::vector<double>& laserElevations(VelodyneModel model);
+
+/// One firing of all lasers of a sensor.
+struct VelodyneFiring
+{
+    double azimuth = 0.0;               ///< as in the packet: clockwise from forward, rad
+    std::vector<float> range;           ///< per laser in packet order, m; 0: no return
+    std::vector<float> intensity;       ///< 0..1
+};
+
+/// Packs firings into an observation (VLP-16: two firings a block; the packets' azimuth is the
+/// block's). `time`: of the first firing, s (UNIX). Used for simulated scans.
+mrpt::obs::CObservationVelodyneScan encodeVelodyne(VelodyneModel model, double time,
+                                                   const std::vector<VelodyneFiring>& firings);
+
+}  // namespace vdamf

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The four faces of a vehicle's box, and sets of them.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace vdamf
+{
+enum class Face : std::uint8_t
+{
+    Front = 1,
+    Back = 2,
+    Left = 4,
+    Right = 8
+};
+
+/// A set of faces, for example those that a sensor sees.
+struct FaceSet
+{
+    std::uint8_t bits = 0;
+
+    bool has(Face face) const { return (bits & static_cast<std::uint8_t>(face)) != 0; }
+    void add(Face face) { bits = static_cast<std::uint8_t>(bits | static_cast<std::uint8_t>(face)); }
+    bool empty() const { return bits == 0; }
+    bool seesEnd() const { return has(Face::Front) || has(Face::Back); }
+    bool seesSide() const { return has(Face::Left) || has(Face::Right); }
+    bool operator==(const FaceSet& other) const { return bits == other.bits; }
+};
+
+/// Letters of the faces in the order F, B, L, R: "FL" is front and left. Empty set: "".
+inline std::string toString(FaceSet faces)
+{
+    std::string letters;
+    if (faces.has(Face::Front)) letters += 'F';
+    if (faces.has(Face::Back)) letters += 'B';
+    if (faces.has(Face::Left)) letters += 'L';
+    if (faces.has(Face::Right)) letters += 'R';
+    return letters;
+}
+
+}  // namespace vdamf

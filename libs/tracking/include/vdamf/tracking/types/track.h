@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the tracker says of one object in one frame, and of one frame as a whole.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "vdamf/tracking/types/faces.h"
+#include "vdamf/tracking/types/geometry.h"
+
+namespace vdamf
+{
+using Matrix5d = Eigen::Matrix<double, 5, 5>;
+using Vector5d = Eigen::Matrix<double, 5, 1>;
+
+enum class TrackStatus
+{
+    Tentative,  ///< new, not yet believed
+    Confirmed,  ///< measured often enough to be published
+    Coasting,   ///< confirmed, but not measured in this frame
+    Ended       ///< last row of this track
+};
+
+const char* toString(TrackStatus status);
+std::optional<TrackStatus> trackStatusFromString(const std::string& text);
+
+/// One track in one frame: the row of tracks.csv and of the annotated rawlog.
+struct TrackReport
+{
+    std::uint64_t id = 0;  ///< unique in a run, from 1
+    TrackStatus status = TrackStatus::Tentative;
+    std::optional<double> vehicleProbability;  ///< of the discriminator; nothing where none ran
+    OrientedBox box;                           ///< world frame, m and rad
+    double z = 0.0;                            ///< bottom of the box, world, m
+    double height = 0.0;                       ///< m
+    double speed = 0.0;                        ///< along the heading, negative in reverse, m/s
+    double yawRate = 0.0;                      ///< rad/s
+    int points = 0;                            ///< hits assigned in this frame
+    double match = 0.0;                        ///< matched filter response per hit, 1/m; 0 if none
+    /// Normalised innovation squared of this frame's update, 3 degrees of freedom.
+    std::optional<double> nis;
+    FaceSet facesSeen;
+    /// Covariance of (x, y, heading, speed): m, m, rad, m/s.
+    Eigen::Matrix4d covariance = Eigen::Matrix4d::Zero();
+    double lengthVariance = 0.0;  ///< m^2
+    double widthVariance = 0.0;   ///< m^2
+    /// The box measured in this frame, before filtering.
+    std::optional<OrientedBox> measuredBox;
+};
+
+/// Everything that one frame led to. The library's one product: it is annotated, tabulated,
+/// drawn, evaluated and asserted on.
+struct FrameResult
+{
+    double time = 0.0;             ///< of the frame, s (UNIX)
+    std::vector<TrackReport> tracks;  ///< by rising id
+    std::size_t points = 0;        ///< in the frame
+    std::size_t pointsAboveGround = 0;
+    std::size_t clusters = 0;
+    std::vector<std::string> warnings;
+};
+
+}  // namespace vdamf
