@@ -30,14 +30,21 @@ struct TrackRow
     TrackReport report;
 };
 
-// Times are written with 6 decimals, all other numbers with enough digits for their use.
-std::string truthHeader();
+// Times are written with 6 decimals, all other numbers with enough digits for their use (0.1 mm,
+// 1e-6 rad, 8 significant digits of variances). Readers throw std::runtime_error that names file,
+// line and column.
+
+/// The classes of truth.csv.
+const std::vector<std::string>& truthClasses();
+const std::vector<std::string>& truthColumns();
+std::string truthHeader();               ///< with the line's end
 std::string toCsv(const TruthRow& row);  ///< with the line's end
 std::vector<TruthRow> readTruth(const std::filesystem::path& path);
 
 const std::vector<std::string>& trackColumns();
-std::string tracksHeader();
+std::string tracksHeader();                   ///< with the line's end
 std::string toCsv(const FrameResult& frame);  ///< one line a track
+/// What the table does not hold stays empty: measuredBox, the covariances of the speed.
 std::vector<TrackRow> readTracks(const std::filesystem::path& path);
 
 /// The columns of tracks.csv as numbers, in order (status by its enum value, faces by their bits,

@@ -4,16 +4,19 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "vdamf/files/numbers.h"
+
 namespace vdamf
 {
-/// Reads a table row by row in constant memory. Every error is a std::runtime_error that names
-/// file, line and column: a missing required column, a bad number, a row of another length, an
-/// empty file.
+/// Reads a table row by row in constant memory. Cells are separated by commas, without quotes;
+/// blanks around them do not count. Every error is a std::runtime_error that names file, line and
+/// column: a missing or doubled column, a bad number, a row of another length, an empty file.
 class CsvReader
 {
 public:
@@ -29,7 +32,7 @@ public:
 
     // Values of the current row by column name.
     const std::string& text(std::string_view column) const;
-    double number(std::string_view column) const;            ///< finite
+    double number(std::string_view column) const;  ///< finite
     std::int64_t integer(std::string_view column) const;
     std::optional<double> optionalNumber(std::string_view column) const;  ///< nothing if empty
 
@@ -38,10 +41,7 @@ public:
 
 private:
     struct State;
-    State* state_;
+    std::unique_ptr<State> state_;
 };
-
-/// Shortest decimal text that reads back as exactly this number.
-std::string toText(double value);
 
 }  // namespace vdamf

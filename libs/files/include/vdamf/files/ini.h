@@ -3,9 +3,11 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "vdamf/tracking/types/options.h"
@@ -26,16 +28,17 @@ struct IniSection
     std::vector<IniEntry> entries;
 };
 
-/// A parsed ini file. `[section]`, `key = value`; comments: a line that starts with `#` or `;`,
-/// and anything after ` //`, ` #` or ` ;` behind a value (a blank before the mark). A duplicate
-/// section or key, or a line that is neither, is a std::runtime_error "file:line: ...".
+/// A parsed ini file. `[section]`, `key = value`; comments: a line that starts with `#`, `;` or
+/// `//`, and anything after ` //`, ` #` or ` ;` behind a value (a blank before the mark). A
+/// duplicate section or key, or a line that is neither, is a std::runtime_error "file:line: ...".
 class IniDocument
 {
 public:
     static IniDocument parse(std::string_view text, std::string fileName);
     static IniDocument load(const std::filesystem::path& path);
 
-    /// "section.key=value" from a command line; replaces a value of the file or adds one.
+    /// "section.key=value" from a command line; replaces a value of the file or adds one. Throws
+    /// std::runtime_error where the text is not of this form.
     void set(std::string_view assignment);
 
     const std::string& fileName() const { return fileName_; }
@@ -55,7 +58,8 @@ private:
 ///
 /// Problems found: unknown section or key (with the nearest known one), value that does not parse
 /// to its end, bool other than true/false, unknown enum name (with the names), out of range. All
-/// name file, line, section.key and what was expected.
+/// name file, line, section.key and what was expected. A key that is not in the document leaves
+/// its member as it is. Values of keys that end in `_deg` are degrees: `v = value * kPi / 180`.
 class IniReader
 {
 public:
@@ -89,10 +93,11 @@ private:
     int readEnum(const char* key, const std::vector<std::string>& names, const char* comment);
     const IniEntry* entry(const char* key);
     void problem(const IniEntry& entry, const std::string& expected);
+    void findUnknown();
 
     const IniDocument& document_;
     std::string section_;
-    std::vector<std::string> known_;  ///< "section.key"
+    std::map<std::string, std::vector<std::string>> known_;  ///< keys by section
     std::vector<std::string> problems_;
 };
 
@@ -104,7 +109,8 @@ public:
 };
 
 /// Writes options structs as a commented ini text, the exact inverse of IniReader (round trip to
-/// the last bit: shortest decimal that reads back the same).
+/// the last bit: shortest decimal that reads back the same). Throws std::runtime_error for a text
+/// that an ini file cannot hold (line break, comment mark, blanks at its ends).
 ///
 ///     # largest gap inside a cluster (0.05 to 2)
 ///     gap_m = 0.4

@@ -8,7 +8,10 @@
 namespace vdamf
 {
 /// Writes to `<path>.partial` and renames it to `<path>` on commit(). Every write and the close
-/// are checked. All errors are std::runtime_error that name the file and the system's reason.
+/// are checked, and the bytes are on the disk before the name appears. An old `.partial` is
+/// replaced, one that another process still writes is not. A path that names a device or a pipe
+/// (/dev/stdout, /dev/null) is written directly. All errors are std::runtime_error that name the
+/// file and the system's reason.
 class OutputFile
 {
 public:
@@ -36,8 +39,10 @@ public:
 
 private:
     std::filesystem::path path_;
-    std::filesystem::path partialPath_;
+    std::filesystem::path partialPath_;  ///< the path itself where it is a device
+    Existing existing_;
     Unfinished unfinished_;
+    bool committed_ = false;
     int descriptor_ = -1;
 };
 

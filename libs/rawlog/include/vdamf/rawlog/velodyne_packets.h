@@ -22,7 +22,9 @@ enum class VelodyneModel
 /// All returns of a scan in the sensor's frame (x forward at azimuth 0, y left, z up), with
 /// intensity 0..1 and the firing time of each return relative to the observation's time. MRPT's
 /// own conversion loses half of the returns and gives one time a packet. In dual-return packets
-/// the second of two equal returns is dropped. Throws std::runtime_error on an unknown model.
+/// the second of two equal returns is dropped. The observation's calibration is used where it has
+/// one; without it, the nominal elevations. A scan without packets gives its `point_cloud`, with
+/// times only if that has them. Throws std::runtime_error on a sensor that it does not know.
 PointCloud decodeVelodyne(const mrpt::obs::CObservationVelodyneScan& scan);
 
 /// Elevation of each laser in the order of the packet, rad.
@@ -31,13 +33,17 @@ const std::vector<double>& laserElevations(VelodyneModel model);
 /// One firing of all lasers of a sensor.
 struct VelodyneFiring
 {
-    double azimuth = 0.0;               ///< as in the packet: clockwise from forward, rad
-    std::vector<float> range;           ///< per laser in packet order, m; 0: no return
-    std::vector<float> intensity;       ///< 0..1
+    double azimuth = 0.0;          ///< as in the packet: clockwise from forward, rad
+    std::vector<float> range;      ///< per laser in packet order, m; 0: no return
+    std::vector<float> intensity;  ///< 0..1
 };
 
-/// Packs firings into an observation (VLP-16: two firings a block; the packets' azimuth is the
-/// block's). `time`: of the first firing, s (UNIX). Used for simulated scans.
+/// Packs firings, one firing period after another, into an observation (VLP-16: two firings a
+/// block; the packets' azimuth is the block's). Each laser fires later than its firing's begin and
+/// at a larger azimuth, as decodeVelodyne() has it. Ranges are rounded to 2 mm, intensities to
+/// 1/255; ranges beyond 131.07 m count as no return. The last packet is filled up with blocks
+/// without returns. `time`: of the first firing, s (UNIX). Used for simulated scans. Throws
+/// std::runtime_error where a firing has not as many ranges and intensities as lasers.
 mrpt::obs::CObservationVelodyneScan encodeVelodyne(VelodyneModel model, double time,
                                                    const std::vector<VelodyneFiring>& firings);
 

@@ -33,40 +33,41 @@ inline bool keyIsInDegrees(std::string_view key)
     return key.size() > 4 && key.substr(key.size() - 4) == "_deg";
 }
 
+/// Visitor that notes every value out of range, in the key's unit.
+struct RangeCheck
+{
+    std::vector<std::string>& problems;
+
+    void range(double value, const char* key, double min, double max) const
+    {
+        const double shown = keyIsInDegrees(key) ? value * 57.29577951308232 : value;
+        // Slack of an ulp or so for values that came through a conversion from degrees.
+        const double slack = 1e-12 * (max - min);
+        if (shown >= min - slack && shown <= max + slack) return;
+        std::ostringstream text;
+        text << key << " = " << shown << " is out of range: expected " << min << " to " << max;
+        problems.push_back(text.str());
+    }
+    void operator()(const double& v, const char* key, double min, double max, const char*) const
+    {
+        range(v, key, min, max);
+    }
+    void operator()(const int& v, const char* key, int min, int max, const char*) const
+    {
+        range(v, key, min, max);
+    }
+    template <class T>
+    void operator()(const T&, const char*, const char*) const
+    {
+    }
+};
+
 /// What is wrong with an options struct: one line a problem, naming the key. Empty: valid.
-/// Ranges are written in the key's unit.
 template <class Options>
 std::vector<std::string> problemsOf(const Options& options)
 {
     std::vector<std::string> problems;
-    struct Check
-    {
-        std::vector<std::string>& problems;
-        void range(double value, const char* key, double min, double max) const
-        {
-            const double shown = keyIsInDegrees(key) ? value * 57.29577951308232 : value;
-            // Slack of an ulp or so for values that came through a conversion from degrees.
-            const double slack = 1e-12 * (max - min);
-            if (shown >= min - slack && shown <= max + slack) return;
-            std::ostringstream text;
-            text << key << " = " << shown << " is out of range: expected " << min << " to " << max;
-            problems.push_back(text.str());
-        }
-        void operator()(const double& v, const char* key, double min, double max, const char*) const
-        {
-            range(v, key, min, max);
-        }
-        void operator()(const int& v, const char* key, int min, int max, const char*) const
-        {
-            range(v, key, min, max);
-        }
-        template <class T>
-        void operator()(const T&, const char*, const char*) const
-        {
-            static_assert(!std::is_arithmetic_v<T> || std::is_same_v<T, bool>);
-        }
-    };
-    Options::visit(options, Check{problems});
+    Options::visit(options, RangeCheck{problems});
     return problems;
 }
 

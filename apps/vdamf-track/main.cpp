@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vdamf-track: a rawlog in, its vehicles tracked, an annotated rawlog out.
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <atomic>
+#include <charconv>
+#include <csignal>
+#include <cstdio>
+#include <iostream>
+
+#include "vdamf/rawlog/track_rawlog.h"
+#include "vdamf/report/birds_eye.h"
+
+namespace
+{
+std::atomic<bool> interrupted{false};
+
+void onSignal(int) { interrupted = true; }
+
+struct Cli
+{
+    std::string config;
+    std::string input;
+    std::string output;
+    std::string tracks;
+    std::string picture;
+    std::string frames;
+    std::vector<std::string> set;
+    bool overwrite = false;
+    bool quiet = false;
+    bool printConfig = false;
+};
+
+void declare(CLI::App& app, Cli& cli)
+{
+    app.set_version_flag("--version", std::string("vdamf-track ") + VDAMF_VERSION);
+    app.add_option("-c,--config", cli.config, "configuration (ini); default: built-in values");
+    app.add_option("-i,--input", cli.input, "rawlog to read");
+    app.add_option("-o,--output", cli.output, "annotated rawlog to write");
+    app.add_option("--tracks", cli.tracks, "table of all tracks to write (CSV)");
+    app.add_option("--picture", cli.picture, "bird's-eye picture of the last frame to write (SVG)");
+    app.add_option("--frames", cli.frames, "frames A:B to track, the first one is 0, B excluded");
+    app.add_option("--set", cli.set, "section.key=value over the configuration (repeatable)")
+        ->allow_extra_args(false);
+    app.add_flag("--overwrite", cli.overwrite, "replace existing outputs");
+    app.add_flag("-q,--quiet", cli.quiet, "no progress, no summary");
+    app.add_flag("--print-config", cli.printConfig,
+                 "print the effective configuration as ini and exit");
+    app.footer("Example:\n  vdamf-track -i street.rawlog -o street_tracked.rawlog "
+               "--tracks tracks.csv --picture street.svg");
+}
+
+// "A:B", either side may be empty. Throws std::invalid_argument.
+void parseFrames(const std::string& text, vdamf::TrackRawlogJob& job)
+{
+    const std::size_t colon = text.find(':');
+    const auto number = [&](const std::string& part, std::uint64_t fallback)
+    {
+        if (part.empty()) return fallback;
+        std::uint64_t value = 0;
+        const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), value);
+        if (error != std::errc() || end != part.data() + part.size())
+            throw std::invalid_argument("--frames " + text + ": expected A:B, for example 0:100");
+        return value;
+    };
+    if (colon == std::string::npos)
+        throw std::invalid_argument("--frames " + text + ": expected A:B, for example 0:100");
+    job.firstFrame = number(text.substr(0, colon), 0);
+    job.lastFrame = number(text.substr(colon + 1), job.lastFrame);
+    if (job.firstFrame >= job.lastFrame)
+        throw std::invalid_argument("--frames " + text + ": holds no frame");
+}
+
+vdamf::Configuration configurationOf(const Cli& cli)
+{
+    vdamf::IniDocument document = cli.config.empty()
+                                      ? vdamf::IniDocument::parse("", "built-in configuration")
+                                      : vdamf::IniDocument::load(cli.config);
+    for (const std::string& assignment : cli.set) document.set(assignment);
+    return vdamf::readConfiguration(document);
+}
+
+vdamf::TrackRawlogJob jobOf(const Cli& cli)
+{
+    if (cli.input.empty()) throw std::invalid_argument("-i is required: the rawlog to read");
+    if (cli.output.empty() && cli.tracks.empty() && cli.picture.empty())
+        throw std::invalid_argument("nothing to write: name -o, --tracks or --picture");
+    vdamf::TrackRawlogJob job;
+    job.input = cli.input;
+    if (!cli.output.empty()) job.output = cli.output;
+    if (!cli.tracks.empty()) job.tracks = cli.tracks;
+    if (cli.overwrite) job.existing = vdamf::OutputFile::Existing::Overwrite;
+    if (!cli.frames.empty()) parseFrames(cli.frames, job);
+    job.version = VDAMF_VERSION;
+    return job;
+}
+
+void showProgress(double share, std::uint64_t frames)
+{
+    constexpr int kWidth = 40;
+    const int filled = static_cast<int>(share * kWidth);
+    std::fprintf(stderr, "\r[%.*s%*s] %3.0f %%  %llu frames", filled,
+                 "########################################", kWidth - filled, "", 100.0 * share,
+                 static_cast<unsigned long long>(frames));
+}
+
+void warn(const vdamf::TrackRawlogSummary& s, const std::string& input)
+{
+    const auto line = [&](std::uint64_t count, const std::string& what)
+    {
+        if (count > 0)
+            std::fprintf(stderr, "%s: %llu %s\n", input.c_str(),
+                         static_cast<unsigned long long>(count), what.c_str());
+    };
+    line(s.withoutPose, "scans skipped: no INS pose at their time");
+    line(s.outOfOrder, "scans skipped: not later than the frame before");
+    line(s.unreadable, "scans skipped: " + s.firstUnreadable);
+    line(s.read.unknown, "entries of unknown classes, copied as they are");
+    line(s.read.damaged, "damaged entries left out");
+    for (const std::string& problem : s.read.problems)
+        std::fprintf(stderr, "  %s\n", problem.c_str());
+}
+
+void printSummary(const vdamf::TrackRawlogSummary& s)
+{
+    const auto perFrame = [&](double seconds)
+    { return 1e3 * seconds / static_cast<double>(std::max<std::uint64_t>(1, s.frames)); };
+    const auto row = [](const char* name, const std::string& value)
+    { std::printf("  %-18s %s\n", name, value.c_str()); };
+    const auto ms = [&](const char* name, double seconds)
+    { std::printf("  %-18s %8.2f ms\n", name, perFrame(seconds)); };
+    std::printf("\n");
+    row("frames", std::to_string(s.frames) + " of " + std::to_string(s.scans) + " scans");
+    row("objects confirmed", std::to_string(s.tracksConfirmed));
+    row("INS poses", s.insSource);
+    if (s.nisCount > 0)
+    {
+        const double mean = s.nisSum / static_cast<double>(s.nisCount);
+        std::printf("  %-18s %.2f over %llu updates (3.00 expected)\n", "mean NIS", mean,
+                    static_cast<unsigned long long>(s.nisCount));
+    }
+    std::printf("\n  per frame\n");
+    ms("reading", s.readSeconds);
+    ms("to world frame", s.frameSeconds);
+    double tracking = s.frameSeconds;
+    for (std::size_t k = 0; k < s.stageSeconds.size(); ++k)
+    {
+        ms(toString(static_cast<vdamf::Stage>(k)), s.stageSeconds[k]);
+        tracking += s.stageSeconds[k];
+    }
+    ms("writing", s.writeSeconds);
+    std::printf("  %-18s %8.2f ms\n", "tracking, all", perFrame(tracking));
+}
+
+int run(const Cli& cli, const vdamf::TrackRawlogJob& job)
+{
+    std::signal(SIGINT, onSignal);
+    std::signal(SIGTERM, onSignal);
+    const bool progress = !cli.quiet && isatty(STDERR_FILENO) != 0;
+    std::uint64_t frames = 0;
+    vdamf::BirdsEye birdsEye;
+    const auto listener =
+        [&](const vdamf::LadarFrame& frame, const vdamf::FrameResult& result, double share)
+    {
+        if (!cli.picture.empty()) birdsEye.add(frame, result);
+        ++frames;
+        if (progress) showProgress(share, frames);
+    };
+    std::optional<vdamf::OutputFile> picture;
+    if (!cli.picture.empty())
+        picture.emplace(cli.picture, job.existing, vdamf::OutputFile::Unfinished::Discard);
+    const vdamf::TrackRawlogSummary summary = vdamf::trackRawlog(job, interrupted, listener);
+    if (progress) std::fprintf(stderr, "\n");
+    if (picture)
+    {
+        picture->write(birdsEye.svg());
+        picture->commit();
+    }
+    warn(summary, cli.input);
+    if (!cli.quiet) printSummary(summary);
+    if (summary.interrupted)
+    {
+        std::fprintf(stderr, "interrupted: %llu frames done%s\n",
+                     static_cast<unsigned long long>(summary.frames),
+                     cli.output.empty() ? "" : (" are in " + cli.output + ".partial").c_str());
+        return 1;
+    }
+    if (summary.read.truncated)
+    {
+        std::fprintf(stderr, "%s: truncated: %s; the %llu frames before are done\n",
+                     cli.input.c_str(), summary.read.truncation.c_str(),
+                     static_cast<unsigned long long>(summary.frames));
+        return 1;
+    }
+    return 0;
+}
+}  // namespace
+
+int main(int argc, char** argv)
+{
+    CLI::App app("Tracks vehicles in an MRPT rawlog with LADAR scans and INS poses.");
+    Cli cli;
+    declare(app, cli);
+    try
+    {
+        app.parse(argc, argv);
+    }
+    catch (const CLI::ParseError& error)
+    {
+        return app.exit(error) == 0 ? 0 : 2;
+    }
+    try
+    {
+        const vdamf::Configuration configuration = configurationOf(cli);
+        if (cli.printConfig)
+        {
+            std::cout << vdamf::toIni(configuration);
+            return 0;
+        }
+        vdamf::TrackRawlogJob job = jobOf(cli);
+        job.configuration = configuration;
+        try
+        {
+            return run(cli, job);
+        }
+        catch (const std::exception& error)
+        {
+            std::fprintf(stderr, "vdamf-track: %s\n", error.what());
+            return 1;
+        }
+    }
+    catch (const std::exception& error)
+    {
+        std::fprintf(stderr, "vdamf-track: %s\n", error.what());
+        return 2;
+    }
+}

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+
+#include "csv_line.h"
+#include "vdamf/evaluation/tables.h"
+#include "vdamf/files/csv.h"
+
+namespace vdamf
+{
+namespace
+{
+std::string checkedId(const std::string& id)
+{
+    if (!id.empty() && trimmed(id) == id && id.find_first_of(",\n") == std::string::npos) return id;
+    throw std::runtime_error("object id '" + id +
+                             "' cannot stand in truth.csv: it must be a text without comma");
+}
+
+std::string classOf(const CsvReader& reader)
+{
+    const std::vector<std::string>& known = truthClasses();
+    const std::string& name = reader.text("class");
+    if (std::find(known.begin(), known.end(), name) != known.end()) return name;
+    reader.fail("class", "unknown class '" + name + "'; expected one of " + joined(known, ", "));
+}
+
+double positive(const CsvReader& reader, const char* column)
+{
+    const double value = reader.number(column);
+    if (value > 0.0) return value;
+    reader.fail(column, "expected a number above 0, found '" + reader.text(column) + "'");
+}
+
+TruthRow rowOf(const CsvReader& reader)
+{
+    TruthRow row;
+    row.time = reader.number("time_s");
+    row.objectId = reader.text("object_id");
+    if (row.objectId.empty()) reader.fail("object_id", "it is empty");
+    row.objectClass = classOf(reader);
+    row.box = {reader.number("x_m"), reader.number("y_m"), reader.number("heading_rad"),
+               positive(reader, "length_m"), positive(reader, "width_m")};
+    row.z = reader.number("z_m");
+    row.height = reader.number("height_m");
+    row.speed = reader.number("speed_mps");
+    const std::int64_t points = reader.integer("points");
+    if (points < -1 || points > std::numeric_limits<int>::max())
+    {
+        reader.fail("points", "expected a count, or -1 if unknown");
+    }
+    row.points = static_cast<int>(points);
+    return row;
+}
+}  // namespace
+
+const std::vector<std::string>& truthClasses()
+{
+    static const std::vector<std::string> kClasses = {"Car", "Van",        "Truck",   "Tram",
+                                                      "Bus", "Pedestrian", "Cyclist", "Other"};
+    return kClasses;
+}
+
+const std::vector<std::string>& truthColumns()
+{
+    static const std::vector<std::string> kColumns = {
+        "time_s",      "object_id", "class",   "x_m",      "y_m",       "z_m",
+        "heading_rad", "length_m",  "width_m", "height_m", "speed_mps", "points"};
+    return kColumns;
+}
+
+std::string truthHeader()
+{
+    return joined(truthColumns(), ",") + '\n';
+}
+
+std::string toCsv(const TruthRow& row)
+{
+    const OrientedBox& box = row.box;
+    return joined(
+               {toFixedText(row.time, 6), checkedId(row.objectId), row.objectClass,
+                toFixedText(box.x, 4), toFixedText(box.y, 4), toFixedText(row.z, 4),
+                toFixedText(box.heading, 6), toFixedText(box.length, 4), toFixedText(box.width, 4),
+                toFixedText(row.height, 4), toFixedText(row.speed, 4), std::to_string(row.points)},
+               ",") +
+           '\n';
+}
+
+std::vector<TruthRow> readTruth(const std::filesystem::path& path)
+{
+    CsvReader reader(path, truthColumns());
+    std::vector<TruthRow> rows;
+    while (reader.next()) rows.push_back(rowOf(reader));
+    return rows;
+}
+
+}  // namespace vdamf

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Whole small text files, and words for error messages about them.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace vdamf
+{
+/// The bytes of a file. Throws std::runtime_error that names it: missing, a folder, unreadable,
+/// or larger than `maxBytes` (then it is not the file that was meant).
+std::string readTextFile(const std::filesystem::path& path, std::size_t maxBytes = 64 << 20);
+
+/// `'text'`, cut after 60 characters and with unprintable ones as `?`, to quote input in messages.
+std::string inQuotes(std::string_view text);
+
+}  // namespace vdamf

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vdamf/files/output_file.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+#include <utility>
+
+namespace vdamf
+{
+namespace
+{
+namespace fs = std::filesystem;
+
+[[noreturn]] void fail(const fs::path& path, const std::string& what)
+{
+    throw std::runtime_error(path.string() + ": " + what);
+}
+
+[[noreturn]] void failWithErrno(const fs::path& path, const std::string& what, int error)
+{
+    std::string advice;
+    if (error == ENOSPC || error == EDQUOT) advice = "; free some space or choose another disk";
+    if (error == EACCES || error == EPERM || error == EROFS)
+    {
+        advice = "; choose a folder that you may write to";
+    }
+    fail(path, what + ": " + std::system_category().message(error) + advice);
+}
+
+bool isDevice(const fs::file_status& status)
+{
+    return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
+}
+
+void checkTarget(const fs::path& path, OutputFile::Existing existing)
+{
+    std::error_code ignored;
+    if (path.empty()) throw std::runtime_error("the name of the output file is empty");
+    const fs::file_status status = fs::status(path, ignored);
+    if (fs::is_directory(status) || !path.has_filename())
+    {
+        fail(path, "cannot write: this is a folder; name a file in it");
+    }
+    const fs::path folder = path.parent_path();
+    if (!folder.empty() && !fs::is_directory(folder, ignored))
+    {
+        fail(path, "cannot write: there is no folder " + folder.string() + "; create it first");
+    }
+    if (existing == OutputFile::Existing::Refuse && fs::exists(status) && !isDevice(status))
+    {
+        fail(path, "exists already; use --overwrite to replace it, or another name");
+    }
+}
+
+int openRetrying(const fs::path& path, int flags)
+{
+    int descriptor = -1;
+    do
+    {
+        descriptor = ::open(path.c_str(), flags | O_WRONLY | O_CLOEXEC, 0666);
+    } while (descriptor < 0 && errno == EINTR);
+    if (descriptor < 0) failWithErrno(path, "cannot open for writing", errno);
+    return descriptor;
+}
+
+bool isStillNamed(int descriptor, const fs::path& path)
+{
+    struct stat ofDescriptor = {};
+    struct stat ofPath = {};
+    return ::fstat(descriptor, &ofDescriptor) == 0 && ::lstat(path.c_str(), &ofPath) == 0 &&
+           ofDescriptor.st_ino == ofPath.st_ino && ofDescriptor.st_dev == ofPath.st_dev;
+}
+
+// The lock keeps a second process from emptying a file that the first is about to rename. Between
+// our open and our lock the first may have renamed it: then the descriptor is not ours to empty.
+int openPartial(const fs::path& partial)
+{
+    for (;;)
+    {
+        const int descriptor = openRetrying(partial, O_CREAT | O_NOFOLLOW);
+        if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+        {
+            ::close(descriptor);
+            fail(partial, "another run is writing this file; wait for it or use another name");
+        }
+        if (isStillNamed(descriptor, partial))
+        {
+            if (::ftruncate(descriptor, 0) == 0) return descriptor;
+            const int error = errno;
+            ::close(descriptor);
+            failWithErrno(partial, "cannot empty", error);
+        }
+        ::close(descriptor);
+    }
+}
+
+void syncChecked(int descriptor, const fs::path& path)
+{
+    int result = 0;
+    do
+    {
+        result = ::fsync(descriptor);
+    } while (result != 0 && errno == EINTR);
+    // Devices and pipes have nothing to bring to a disk.
+    if (result != 0 && errno != EINVAL && errno != EROFS)
+        failWithErrno(path, "cannot write", errno);
+}
+
+void renameChecked(const fs::path& from, const fs::path& to, OutputFile::Existing existing)
+{
+    int result = -1;
+    if (existing == OutputFile::Existing::Refuse)
+    {
+        // The file may have come into being since the constructor looked.
+        result = ::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE);
+        if (result == 0) return;
+        if (errno == EEXIST) fail(to, "exists already; use --overwrite to replace it");
+        if (errno != EINVAL && errno != ENOSYS) failWithErrno(to, "cannot rename to it", errno);
+    }
+    if (::rename(from.c_str(), to.c_str()) != 0) failWithErrno(to, "cannot rename to it", errno);
+}
+}  // namespace
+
+OutputFile::OutputFile(fs::path path, Existing existing, Unfinished unfinished)
+    : path_(std::move(path)), existing_(existing), unfinished_(unfinished)
+{
+    checkTarget(path_, existing_);
+    std::error_code ignored;
+    if (isDevice(fs::status(path_, ignored)))
+    {
+        partialPath_ = path_;
+        descriptor_ = openRetrying(path_, 0);
+        return;
+    }
+    partialPath_ = path_;
+    partialPath_ += ".partial";
+    descriptor_ = openPartial(partialPath_);
+}
+
+OutputFile::~OutputFile()
+{
+    const bool ownsPartial = !committed_ && partialPath_ != path_;
+    // Removed while the lock is still held, so that it cannot be the file of another run.
+    if (ownsPartial && unfinished_ == Unfinished::Discard) ::unlink(partialPath_.c_str());
+    if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+void OutputFile::write(std::string_view bytes)
+{
+    while (!bytes.empty())
+    {
+        const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
+        if (written < 0 && errno == EINTR) continue;
+        if (written < 0) failWithErrno(partialPath_, "cannot write", errno);
+        bytes.remove_prefix(static_cast<std::size_t>(written));
+    }
+}
+
+void OutputFile::commit()
+{
+    syncChecked(descriptor_, partialPath_);
+    if (partialPath_ != path_) renameChecked(partialPath_, path_, existing_);
+    committed_ = true;
+    const int descriptor = std::exchange(descriptor_, -1);
+    if (::close(descriptor) != 0 && errno != EINTR) failWithErrno(path_, "cannot close", errno);
+}
+
+}  // namespace vdamf

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a frame's tracks look like in a rawlog: stock MRPT classes only, so that every stock tool
+// reads the file whole.
+#pragma once
+
+#include <mrpt/core/Clock.h>
+#include <mrpt/obs/CObservation.h>
+#include <mrpt/obs/CObservationComment.h>
+
+#include <deque>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "vdamf/rawlog/configuration.h"
+#include "vdamf/tracking/types/track.h"
+
+namespace vdamf
+{
+/// Labels of annotations start with this; such observations are never taken for input.
+inline constexpr const char* kAnnotationLabel = "vdamf_track";
+bool isAnnotation(const mrpt::obs::CObservation& observation);
+
+/// First entry of an annotated rawlog, in ini form: program version, world origin, columns of the
+/// table, effective configuration.
+mrpt::obs::CObservationComment headComment(const std::string& version, const std::string& origin,
+                                           const std::string& insSource,
+                                           const Configuration& configuration);
+
+/// Makes the observations that follow a scan. Keeps the trails between frames.
+class Annotator
+{
+public:
+    explicit Annotator(const OutputOptions& options) : options_(options) {}
+
+    /// In the order of writing, all with the scan's time stamp: the table (`vdamf_tracks`, one row
+    /// a track, columns of tracks.csv), the poses, the scene.
+    std::vector<mrpt::obs::CObservation::Ptr> annotate(const FrameResult& frame,
+                                                       mrpt::Clock::time_point stamp);
+
+private:
+    struct TrailPoint
+    {
+        double time;
+        float x, y, z;
+    };
+
+    mrpt::obs::CObservation::Ptr table(const FrameResult& frame) const;
+    mrpt::obs::CObservation::Ptr pose(const TrackReport& track) const;
+    mrpt::obs::CObservation::Ptr scene(const FrameResult& frame) const;
+    void extendTrails(const FrameResult& frame);
+
+    OutputOptions options_;
+    std::map<std::uint64_t, std::deque<TrailPoint>> trails_;
+};
+
+}  // namespace vdamf

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The main job: a rawlog in, its vehicles tracked, an annotated rawlog out.
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <filesystem>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <string>
+
+#include "vdamf/files/output_file.h"
+#include "vdamf/rawlog/configuration.h"
+#include "vdamf/rawlog/rawlog_reader.h"
+
+namespace vdamf
+{
+struct TrackRawlogJob
+{
+    std::filesystem::path input;
+    std::optional<std::filesystem::path> output;  ///< annotated rawlog
+    std::optional<std::filesystem::path> tracks;  ///< tracks.csv
+    OutputFile::Existing existing = OutputFile::Existing::Refuse;
+    /// Frames to track, [first, last). Entries before the first one are copied without
+    /// annotation, entries behind the last one are left out.
+    std::uint64_t firstFrame = 0;
+    std::uint64_t lastFrame = std::numeric_limits<std::uint64_t>::max();
+    Configuration configuration;
+    std::string version;  ///< of the program, for the annotation
+};
+
+struct TrackRawlogSummary
+{
+    RawlogSummary read;
+    std::uint64_t scans = 0;         ///< in the rawlog
+    std::uint64_t frames = 0;        ///< tracked and annotated
+    std::uint64_t withoutPose = 0;   ///< scans skipped: no INS pose at their time
+    std::uint64_t outOfOrder = 0;    ///< scans skipped: not later than the one before
+    std::uint64_t unreadable = 0;    ///< scans skipped: cannot be read
+    std::string firstUnreadable;     ///< why
+    std::uint64_t tracksConfirmed = 0;  ///< different identities that were confirmed
+    double firstTime = 0.0, lastTime = 0.0;      ///< of the frames, s (UNIX)
+    std::string insSource;
+    /// Seconds spent: reading (with parsing), scan to world frame, the tracker's stages, writing.
+    double readSeconds = 0.0, frameSeconds = 0.0, writeSeconds = 0.0;
+    std::array<double, 7> stageSeconds{};        ///< by Stage
+    double nisSum = 0.0;
+    std::uint64_t nisCount = 0;
+    bool interrupted = false;
+};
+
+/// Called after each frame with its result (for reports) and the share of the input read.
+using FrameListener =
+    std::function<void(const LadarFrame& frame, const FrameResult& result, double progress)>;
+
+/// Runs the job. Memory does not grow with the input: a scan waits for INS poses at most over one
+/// second of entries. Outputs appear under their names when whole; after an error (thrown as
+/// std::runtime_error, its message names the file and the cause) or an interruption the frames
+/// done so far are in `<output>.partial`. `stop`, set from a signal handler, ends the run after
+/// the current frame.
+TrackRawlogSummary trackRawlog(const TrackRawlogJob& job, const std::atomic<bool>& stop,
+                               const FrameListener& listener = {});
+
+}  // namespace vdamf

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vdamf/rawlog/annotation.h"
+
+#include <mrpt/obs/CObservation3DScene.h>
+#include <mrpt/obs/CObservationRawDAQ.h>
+#include <mrpt/obs/CObservationRobotPose.h>
+#include <mrpt/opengl/CBox.h>
+#include <mrpt/opengl/COpenGLScene.h>
+#include <mrpt/opengl/CSetOfLines.h>
+#include <mrpt/opengl/CText.h>
+
+#include <cmath>
+
+#include "vdamf/evaluation/tables.h"
+
+namespace vdamf
+{
+namespace
+{
+bool published(const TrackReport& track)
+{
+    return track.status == TrackStatus::Confirmed || track.status == TrackStatus::Coasting;
+}
+
+// A colour that a track keeps: hues a golden angle apart.
+mrpt::img::TColor colourOf(const TrackReport& track)
+{
+    const double hue = std::fmod(static_cast<double>(track.id) * 0.618033988749895, 1.0) * 6.0;
+    const auto channel = [&](double shift)
+    {
+        const double k = std::fmod(shift + hue, 6.0);
+        const double v = std::min(1.0, std::max(0.0, std::min(k, 4.0 - k)));
+        return static_cast<std::uint8_t>(80 + 175 * (1.0 - v));
+    };
+    const std::uint8_t alpha = track.status == TrackStatus::Coasting ? 120 : 255;
+    return {channel(5.0), channel(3.0), channel(1.0), alpha};
+}
+
+mrpt::opengl::CRenderizable::Ptr boxOf(const TrackReport& track)
+{
+    const double l = 0.5 * track.box.length;
+    const double w = 0.5 * track.box.width;
+    auto box = mrpt::opengl::CBox::Create(mrpt::math::TPoint3D(-l, -w, 0.0),
+                                          mrpt::math::TPoint3D(l, w, std::max(0.1, track.height)),
+                                          true, 2.0F);
+    box->setColor_u8(colourOf(track));
+    box->setBoxBorderColor(colourOf(track));
+    box->setPose(mrpt::poses::CPose3D(track.box.x, track.box.y, track.z, track.box.heading, 0, 0));
+    return box;
+}
+
+// An arrow's shaft from the roof's middle to beyond the front: which way the vehicle faces.
+mrpt::opengl::CRenderizable::Ptr headingLine(const TrackReport& track)
+{
+    auto line = mrpt::opengl::CSetOfLines::Create();
+    const double reach = 0.5 * track.box.length + 1.0;
+    const double c = std::cos(track.box.heading);
+    const double s = std::sin(track.box.heading);
+    const double z = track.z + track.height;
+    line->appendLine(track.box.x, track.box.y, z, track.box.x + reach * c, track.box.y + reach * s,
+                     z);
+    line->setColor_u8(colourOf(track));
+    line->setLineWidth(2.0F);
+    return line;
+}
+
+mrpt::opengl::CRenderizable::Ptr nameOf(const TrackReport& track)
+{
+    auto text = mrpt::opengl::CText::Create();
+    text->setString(std::to_string(track.id));
+    text->setColor_u8(colourOf(track));
+    text->setLocation(track.box.x, track.box.y, track.z + track.height + 0.5);
+    return text;
+}
+}  // namespace
+
+bool isAnnotation(const mrpt::obs::CObservation& observation)
+{
+    return observation.sensorLabel.rfind(kAnnotationLabel, 0) == 0;
+}
+
+mrpt::obs::CObservationComment headComment(const std::string& version, const std::string& origin,
+                                           const std::string& insSource,
+                                           const Configuration& configuration)
+{
+    std::string columns;
+    for (const std::string& c : trackColumns()) columns += (columns.empty() ? "" : ",") + c;
+    mrpt::obs::CObservationComment comment;
+    comment.text = "[vdamf]\nversion = " + version +
+                   "\nworld = x east, y north, z up\norigin = " + origin + "\nins = " + insSource +
+                   "\ntable_label = vdamf_tracks\ntable_columns = " + columns + "\n\n" +
+                   toIni(configuration);
+    return comment;
+}
+
+std::vector<mrpt::obs::CObservation::Ptr> Annotator::annotate(const FrameResult& frame,
+                                                              mrpt::Clock::time_point stamp)
+{
+    std::vector<mrpt::obs::CObservation::Ptr> all;
+    if (options_.table) all.push_back(table(frame));
+    if (options_.poses)
+    {
+        for (const TrackReport& track : frame.tracks)
+            if (published(track)) all.push_back(pose(track));
+    }
+    if (options_.scene)
+    {
+        extendTrails(frame);
+        all.push_back(scene(frame));
+    }
+    for (const auto& observation : all) observation->timestamp = stamp;
+    return all;
+}
+
+mrpt::obs::CObservation::Ptr Annotator::table(const FrameResult& frame) const
+{
+    auto table = mrpt::obs::CObservationRawDAQ::Create();
+    table->sensorLabel = "vdamf_tracks";
+    table->AIN_channel_count = static_cast<std::uint16_t>(trackColumns().size());
+    table->AIN_interleaved = true;
+    for (const TrackReport& track : frame.tracks)
+    {
+        const std::vector<double> row = toNumbers(frame.time, track);
+        table->AIN_double.insert(table->AIN_double.end(), row.begin(), row.end());
+    }
+    return table;
+}
+
+mrpt::obs::CObservation::Ptr Annotator::pose(const TrackReport& track) const
+{
+    // What the tracker does not estimate, tilt and height, gets a variance that says so.
+    constexpr double kHeightVariance = 0.2 * 0.2;
+    constexpr double kTiltVariance = 0.1 * 0.1;
+    auto pose = mrpt::obs::CObservationRobotPose::Create();
+    pose->sensorLabel = std::string(kAnnotationLabel) + "_" + std::to_string(track.id);
+    pose->pose.mean =
+        mrpt::poses::CPose3D(track.box.x, track.box.y, track.z, track.box.heading, 0, 0);
+    pose->pose.cov.setZero();
+    // MRPT orders x, y, z, yaw, pitch, roll; the report x, y, heading, speed.
+    const int rows[3] = {0, 1, 3};
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) pose->pose.cov(rows[i], rows[j]) = track.covariance(i, j);
+    pose->pose.cov(2, 2) = kHeightVariance;
+    pose->pose.cov(4, 4) = pose->pose.cov(5, 5) = kTiltVariance;
+    return pose;
+}
+
+mrpt::obs::CObservation::Ptr Annotator::scene(const FrameResult& frame) const
+{
+    auto observation = mrpt::obs::CObservation3DScene::Create();
+    observation->sensorLabel = "vdamf_scene";
+    observation->scene = mrpt::opengl::COpenGLScene::Create();
+    for (const TrackReport& track : frame.tracks)
+    {
+        if (!published(track)) continue;
+        observation->scene->insert(boxOf(track));
+        observation->scene->insert(headingLine(track));
+        observation->scene->insert(nameOf(track));
+        const auto trail = trails_.find(track.id);
+        if (trail == trails_.end() || trail->second.size() < 2) continue;
+        auto line = mrpt::opengl::CSetOfLines::Create();
+        for (std::size_t i = 1; i < trail->second.size(); ++i)
+        {
+            const TrailPoint& a = trail->second[i - 1];
+            const TrailPoint& b = trail->second[i];
+            line->appendLine(a.x, a.y, a.z, b.x, b.y, b.z);
+        }
+        line->setColor_u8(colourOf(track));
+        observation->scene->insert(line);
+    }
+    return observation;
+}
+
+void Annotator::extendTrails(const FrameResult& frame)
+{
+    for (const TrackReport& track : frame.tracks)
+    {
+        if (track.status == TrackStatus::Ended)
+        {
+            trails_.erase(track.id);
+            continue;
+        }
+        auto& trail = trails_[track.id];
+        trail.push_back({frame.time, static_cast<float>(track.box.x),
+                         static_cast<float>(track.box.y), static_cast<float>(track.z)});
+        while (trail.front().time < frame.time - options_.trail) trail.pop_front();
+    }
+}
+
+}  // namespace vdamf

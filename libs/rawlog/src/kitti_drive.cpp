@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vdamf/rawlog/kitti_drive.h"
+
+#include <array>
+#include <cstdio>
+#include <stdexcept>
+#include <string>
+
+#include "kitti_numbers.h"
+#include "vdamf/files/numbers.h"
+#include "vdamf/files/text_file.h"
+
+namespace vdamf
+{
+namespace
+{
+namespace fs = std::filesystem;
+
+[[noreturn]] void fail(const fs::path& path, const std::string& what)
+{
+    throw std::runtime_error(path.string() + ": " + what);
+}
+
+void checkFolder(const fs::path& folder)
+{
+    std::error_code ignored;
+    if (!fs::is_directory(folder, ignored)) fail(folder, "there is no such folder");
+    for (const char* part : {"velodyne_points/data", "oxts/data"})
+    {
+        if (fs::is_directory(folder / part, ignored)) continue;
+        fail(folder, std::string("not a KITTI raw drive: there is no folder ") + part +
+                         "; name a folder like 2011_09_26_drive_0001_sync");
+    }
+}
+
+// 0000000000.bin, 0000000001.bin, ... of a folder, as many as there are time stamps.
+std::vector<fs::path> numberedFiles(const fs::path& folder, const std::string& extension,
+                                    const fs::path& timestamps, std::size_t stamps)
+{
+    if (stamps == 0) fail(timestamps, "has no times");
+    std::size_t count = 0;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+    {
+        if (entry.path().extension() == extension) ++count;
+    }
+    std::vector<fs::path> files;
+    for (std::size_t i = 0; i < stamps; ++i)
+    {
+        std::array<char, 32> name = {};
+        std::snprintf(name.data(), name.size(), "%010zu", i);
+        files.push_back(folder / (name.data() + extension));
+        if (fs::is_regular_file(files.back())) continue;
+        fail(files.back(), "is missing: the folder has " + std::to_string(count) + " files *" +
+                               extension + ", " + timestamps.string() + " has " +
+                               std::to_string(stamps) + " times");
+    }
+    if (count == stamps) return files;
+    fail(folder, "has " + std::to_string(count) + " files *" + extension + ", but " +
+                     timestamps.string() + " has " + std::to_string(stamps) + " times");
+}
+
+std::vector<KittiScanFile> scansOf(const fs::path& folder)
+{
+    const fs::path stampFile = folder / "velodyne_points" / "timestamps.txt";
+    const auto times = readKittiTimestamps(stampFile);
+    const std::vector<fs::path> files =
+        numberedFiles(folder / "velodyne_points" / "data", ".bin", stampFile, times.size());
+    std::vector<KittiScanFile> scans;
+    for (std::size_t i = 0; i < files.size(); ++i) scans.push_back({files[i], times[i]});
+    return scans;
+}
+
+KittiOxts oxtsOf(const fs::path& path, mrpt::Clock::time_point time)
+{
+    constexpr std::size_t kValues = 30;
+    constexpr std::size_t kSatellites = 26;
+    const std::vector<double> v = numbersOf(readTextFile(path), path.string() + ":1", kValues);
+    KittiOxts oxts{time, v[0], v[1], v[2], v[3], v[4], v[5], 0};
+    if (std::abs(oxts.latitude) >= 90.0)
+        fail(path, "latitude " + toText(v[0]) + " is not on earth");
+    if (v[kSatellites] >= 0.0 && v[kSatellites] < 256.0)
+    {
+        oxts.satellites = static_cast<int>(v[kSatellites]);
+    }
+    return oxts;
+}
+
+std::vector<KittiOxts> oxtsOf(const fs::path& folder)
+{
+    const fs::path stampFile = folder / "oxts" / "timestamps.txt";
+    const auto times = readKittiTimestamps(stampFile);
+    const std::vector<fs::path> files =
+        numberedFiles(folder / "oxts" / "data", ".txt", stampFile, times.size());
+    std::vector<KittiOxts> samples;
+    for (std::size_t i = 0; i < files.size(); ++i) samples.push_back(oxtsOf(files[i], times[i]));
+    return samples;
+}
+
+fs::path calibrationFile(const fs::path& folder)
+{
+    constexpr const char* kName = "calib_imu_to_velo.txt";
+    const fs::path beside = fs::canonical(folder).parent_path() / kName;
+    for (const fs::path& path : {beside, folder / kName})
+    {
+        if (fs::exists(path)) return path;
+    }
+    fail(beside,
+         "is missing (nor is it in the drive's folder); unpack the calibration of the day"
+         " (like 2011_09_26_calib.zip) beside the drive");
+}
+}  // namespace
+
+KittiDrive readKittiDrive(const fs::path& folder)
+{
+    checkFolder(folder);
+    KittiDrive drive;
+    drive.folder = folder;
+    drive.velodyneInVehicle = readRigidTransform(calibrationFile(folder)).inverse();
+    drive.scans = scansOf(folder);
+    drive.oxts = oxtsOf(folder);
+    if (drive.scans.size() != drive.oxts.size())
+    {
+        fail(folder, "has " + std::to_string(drive.scans.size()) + " scans, but " +
+                         std::to_string(drive.oxts.size()) +
+                         " oxts samples; a synchronised drive (_sync) has as many of both");
+    }
+    return drive;
+}
+
+}  // namespace vdamf

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vdamf/rawlog/kitti_import.h"
+
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "kitti_observations.h"
+#include "vdamf/rawlog/kitti_truth.h"
+#include "vdamf/rawlog/rawlog_writer.h"
+
+namespace vdamf
+{
+namespace
+{
+namespace fs = std::filesystem;
+
+RawlogWriter::Options writerOptions(const KittiImport& job)
+{
+    RawlogWriter::Options options;
+    options.gzLevel = job.gzLevel;
+    options.existing = job.existing;
+    return options;
+}
+
+void checkNames(const KittiImport& job)
+{
+    if (job.truth && fs::weakly_canonical(*job.truth) == fs::weakly_canonical(job.rawlog))
+    {
+        throw std::runtime_error(job.rawlog.string() +
+                                 ": the rawlog and the truth cannot be the same file");
+    }
+}
+
+std::vector<KittiTracklet> trackletsOf(const KittiDrive& drive)
+{
+    const fs::path path = drive.folder / "tracklet_labels.xml";
+    if (!fs::exists(path))
+    {
+        throw std::runtime_error(path.string() +
+                                 ": is missing, but the truth is asked for; unpack the drive's"
+                                 " tracklets, or import without truth");
+    }
+    return readKittiTracklets(path, drive.scans.size());
+}
+
+class Importer
+{
+public:
+    // The outputs are opened first: better to fail at once than after the last scan.
+    explicit Importer(const KittiImport& job) : job_(job), rawlog_(job.rawlog, writerOptions(job))
+    {
+        if (job.truth) truth_.emplace(*job.truth, job.existing, OutputFile::Unfinished::Discard);
+        drive_ = readKittiDrive(job.drive);
+        poses_ = kittiPoses(drive_.oxts);
+        if (job.truth) takeLabels(trackletsOf(drive_));
+        summary_.poses = poses_.size();
+        summary_.seconds = mrpt::Clock::toDouble(drive_.scans.back().time) -
+                           mrpt::Clock::toDouble(drive_.scans.front().time);
+    }
+
+    KittiImportSummary run()
+    {
+        for (std::size_t frame = 0; frame < drive_.scans.size(); ++frame)
+        {
+            writeFrame(frame);
+            summary_.scans = frame + 1;
+            summary_.stopped = job_.progress && !job_.progress(summary_.scans, drive_.scans.size());
+            if (summary_.stopped) return summary_;
+        }
+        writePosesUpTo(mrpt::Clock::time_point::max());
+        if (truth_) truth_->write(truthTable());
+        rawlog_.commit();
+        if (truth_) truth_->commit();
+        return summary_;
+    }
+
+private:
+    void takeLabels(const std::vector<KittiTracklet>& tracklets)
+    {
+        // What a reader of the rawlog will make of the poses.
+        InsTrajectory trajectory{InsOptions{}};
+        for (std::size_t i = 0; i < poses_.size(); ++i)
+        {
+            trajectory.insert(poseObservation(poses_[i], drive_.oxts[i].time));
+        }
+        labels_ = kittiLabels(drive_, tracklets, trajectory);
+        summary_.objects = tracklets.size();
+        summary_.labels = labels_.size();
+        std::size_t all = 0;
+        for (const KittiTracklet& tracklet : tracklets) all += tracklet.poses.size();
+        summary_.labelsWithoutPose = all - labels_.size();
+    }
+
+    void writePosesUpTo(mrpt::Clock::time_point time)
+    {
+        for (; nextPose_ < poses_.size() && drive_.oxts[nextPose_].time <= time; ++nextPose_)
+        {
+            rawlog_.write(poseObservation(poses_[nextPose_], drive_.oxts[nextPose_].time));
+            rawlog_.write(gpsObservation(drive_.oxts[nextPose_]));
+        }
+    }
+
+    void writeFrame(std::size_t frame)
+    {
+        const KittiScanFile& file = drive_.scans[frame];
+        const PointCloud scan = readKittiScan(file.path);
+        writePosesUpTo(file.time);
+        rawlog_.write(scanObservation(scan, drive_.velodyneInVehicle, file.time));
+        summary_.points += scan.size();
+        for (; nextLabel_ < labels_.size() && labels_[nextLabel_].frame == frame; ++nextLabel_)
+        {
+            labels_[nextLabel_].truth.points = pointsInside(labels_[nextLabel_], scan);
+        }
+    }
+
+    std::string truthTable() const
+    {
+        std::string table = truthHeader();
+        for (const KittiLabel& label : labels_) table += toCsv(label.truth);
+        return table;
+    }
+
+    const KittiImport& job_;
+    RawlogWriter rawlog_;
+    std::optional<OutputFile> truth_;
+    KittiDrive drive_;
+    std::vector<Eigen::Isometry3d> poses_;
+    std::vector<KittiLabel> labels_;
+    std::size_t nextPose_ = 0;
+    std::size_t nextLabel_ = 0;
+    KittiImportSummary summary_;
+};
+}  // namespace
+
+KittiImportSummary importKittiDrive(const KittiImport& job)
+{
+    checkNames(job);
+    return Importer(job).run();
+}
+
+}  // namespace vdamf

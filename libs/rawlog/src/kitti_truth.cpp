@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vdamf/rawlog/kitti_truth.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+
+namespace vdamf
+{
+namespace
+{
+using PoseOfFrame = std::vector<std::optional<Eigen::Isometry3d>>;
+
+// Of the velodyne in the world at each scan.
+PoseOfFrame velodynePoses(const KittiDrive& drive, const InsTrajectory& trajectory)
+{
+    PoseOfFrame poses;
+    for (const KittiScanFile& scan : drive.scans)
+    {
+        const std::optional<VehiclePose> vehicle = trajectory.at(mrpt::Clock::toDouble(scan.time));
+        if (!vehicle)
+        {
+            poses.emplace_back();
+            continue;
+        }
+        Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+        pose.linear() = vehicle->attitude.toRotationMatrix();
+        pose.translation() = vehicle->position;
+        poses.emplace_back(pose * drive.velodyneInVehicle);
+    }
+    return poses;
+}
+
+TruthRow truthOf(const KittiTracklet& tracklet, const KittiTrackletPose& pose,
+                 const Eigen::Isometry3d& velodyne)
+{
+    const Eigen::Vector3d bottom = velodyne * Eigen::Vector3d(pose.x, pose.y, pose.z);
+    const Eigen::Vector3d front =
+        velodyne.linear() * Eigen::Vector3d(std::cos(pose.heading), std::sin(pose.heading), 0.0);
+    TruthRow row;
+    row.objectClass = tracklet.objectClass;
+    row.box = {bottom.x(), bottom.y(), std::atan2(front.y(), front.x()), tracklet.length,
+               tracklet.width};
+    row.z = bottom.z();
+    row.height = tracklet.height;
+    return row;
+}
+
+double speedBetween(const TruthRow& from, const TruthRow& to, double heading)
+{
+    const double seconds = to.time - from.time;
+    if (!(seconds > 0.0)) return 0.0;
+    const Eigen::Vector2d moved = to.box.centre() - from.box.centre();
+    return moved.dot(Eigen::Vector2d(std::cos(heading), std::sin(heading))) / seconds;
+}
+
+// Labels of one object by rising frame; frames without a pose are left out.
+std::vector<KittiLabel> labelsOf(const KittiDrive& drive, const KittiTracklet& tracklet,
+                                 const std::string& id, const PoseOfFrame& velodyne)
+{
+    std::vector<KittiLabel> labels;
+    for (std::size_t i = 0; i < tracklet.poses.size(); ++i)
+    {
+        const std::size_t frame = tracklet.firstFrame + i;
+        if (!velodyne.at(frame)) continue;
+        KittiLabel label = {frame, tracklet.poses[i],
+                            truthOf(tracklet, tracklet.poses[i], *velodyne[frame])};
+        label.truth.time = mrpt::Clock::toDouble(drive.scans[frame].time);
+        label.truth.objectId = id;
+        labels.push_back(label);
+    }
+    for (std::size_t i = 0; i < labels.size(); ++i)
+    {
+        const KittiLabel& before = labels[i > 0 ? i - 1 : i];
+        const KittiLabel& after = labels[std::min(i + 1, labels.size() - 1)];
+        TruthRow& row = labels[i].truth;
+        row.speed = speedBetween(before.truth, after.truth, row.box.heading);
+    }
+    return labels;
+}
+}  // namespace
+
+std::vector<KittiLabel> kittiLabels(const KittiDrive& drive,
+                                    const std::vector<KittiTracklet>& tracklets,
+                                    const InsTrajectory& trajectory)
+{
+    const PoseOfFrame velodyne = velodynePoses(drive, trajectory);
+    std::vector<KittiLabel> all;
+    for (std::size_t i = 0; i < tracklets.size(); ++i)
+    {
+        const auto labels = labelsOf(drive, tracklets[i], std::to_string(i), velodyne);
+        all.insert(all.end(), labels.begin(), labels.end());
+    }
+    std::stable_sort(all.begin(), all.end(),
+                     [](const KittiLabel& a, const KittiLabel& b) { return a.frame < b.frame; });
+    return all;
+}
+
+int pointsInside(const KittiLabel& label, const PointCloud& scan)
+{
+    const KittiTrackletPose& pose = label.inVelodyne;
+    const TruthRow& truth = label.truth;
+    const OrientedBox box = {pose.x, pose.y, pose.heading, truth.box.length, truth.box.width};
+    const double reach = 0.5 * std::hypot(box.length, box.width);
+    const double c = std::cos(box.heading);
+    const double s = std::sin(box.heading);
+    int count = 0;
+    for (std::size_t i = 0; i < scan.size(); ++i)
+    {
+        const double x = scan.x[i] - box.x;
+        const double y = scan.y[i] - box.y;
+        const double z = scan.z[i] - pose.z;
+        if (std::abs(x) > reach || std::abs(y) > reach || z < 0.0 || z > truth.height) continue;
+        const bool inside = std::abs(c * x + s * y) <= 0.5 * box.length &&
+                            std::abs(c * y - s * x) <= 0.5 * box.width;
+        count += inside ? 1 : 0;
+    }
+    return count;
+}
+
+}  // namespace vdamf

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reads the fields of a Velodyne data packet. MRPT's accessors bind references to fields that are
+// not aligned, which is undefined behaviour; here bytes are put together one by one.
+#pragma once
+
+#include <mrpt/obs/CObservationVelodyneScan.h>
+
+#include <cstdint>
+
+namespace vdamf
+{
+class VelodynePacketView
+{
+    using Scan = mrpt::obs::CObservationVelodyneScan;
+
+public:
+    explicit VelodynePacketView(const Scan::TVelodyneRawPacket& packet)
+        : bytes_(reinterpret_cast<const std::uint8_t*>(&packet))
+    {
+    }
+
+    std::uint16_t header(int block) const { return at16(block * Scan::SIZE_BLOCK); }
+    /// Hundredths of a degree.
+    std::uint16_t azimuth(int block) const { return at16(block * Scan::SIZE_BLOCK + 2); }
+    /// Units of 2 mm; 0: no return.
+    std::uint16_t distance(int block, int i) const { return at16(returnAt(block, i)); }
+    std::uint8_t intensity(int block, int i) const { return bytes_[returnAt(block, i) + 2]; }
+    /// Microseconds since the hour.
+    std::uint32_t stamp() const
+    {
+        return at16(kTail) | static_cast<std::uint32_t>(at16(kTail + 2)) << 16;
+    }
+    std::uint8_t returnMode() const { return bytes_[kTail + 4]; }
+    std::uint8_t model() const { return bytes_[kTail + 5]; }
+
+private:
+    static constexpr int kTail = Scan::BLOCKS_PER_PACKET * Scan::SIZE_BLOCK;
+
+    static int returnAt(int block, int i)
+    {
+        return block * Scan::SIZE_BLOCK + 4 + Scan::RAW_SCAN_SIZE * i;
+    }
+    std::uint16_t at16(int offset) const
+    {
+        return static_cast<std::uint16_t>(bytes_[offset] | bytes_[offset + 1] << 8);
+    }
+
+    const std::uint8_t* bytes_;
+};
+
+}  // namespace vdamf

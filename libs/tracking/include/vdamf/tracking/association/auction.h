@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Section 2: clusters are assigned to tracks by a simple auction; a track may take several
+// clusters if they are consistent with its predicted box.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "vdamf/tracking/matched_filter/hits.h"
+#include "vdamf/tracking/types/geometry.h"
+#include "vdamf/tracking/types/options.h"
+
+namespace vdamf
+{
+struct AssociationOptions
+{
+    double surfaceSigma = 0.3;  ///< m
+    double gate = 3.0;          ///< standard deviations
+    double lengthSlack = 0.6;   ///< m
+    double widthSlack = 0.5;    ///< m
+
+    template <class Self, class Visitor>
+    static void visit(Self& self, Visitor&& field)
+    {
+        field(self.surfaceSigma, "surface_sigma_m", 0.05, 2.0,
+              "scatter of a target's hits about its predicted box");
+        field(self.gate, "gate_sigma", 0.5, 10.0,
+              "hits farther than this from a predicted box speak against it");
+        field(self.lengthSlack, "length_slack_m", 0.0, 5.0,
+              "by which several clusters together may exceed the predicted length");
+        field(self.widthSlack, "width_slack_m", 0.0, 5.0, "... and width");
+    }
+};
+
+/// What the auction knows of a track.
+struct PredictedTarget
+{
+    OrientedBox box;           ///< in the frame of the hits
+    double positionSigma = 0.0;  ///< of the centre along each axis, about, m
+    double lengthSigma = 0.0;  ///< m
+    double widthSigma = 0.0;   ///< m
+};
+
+/// For each target the indices of its clusters, rising; a cluster goes to one target at most.
+///
+/// A cluster's benefit for a target is the log likelihood of its hits about the predicted box
+/// against that of a new object. Every cluster bids for the target that it benefits most from; a
+/// target takes the best bids whose union stays within its box plus slack (the best one always)
+/// and turns down the rest, which then bid elsewhere. Ends as no pair is turned down twice.
+std::vector<std::vector<std::size_t>> assignClusters(const std::vector<PredictedTarget>& targets,
+                                                     const std::vector<Hits>& clusters,
+                                                     const AssociationOptions& options);
+
+}  // namespace vdamf

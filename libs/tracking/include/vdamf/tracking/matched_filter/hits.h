@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Section 3: the signal, hits of one target projected into the horizontal plane.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "vdamf/tracking/types/cluster.h"
+
+namespace vdamf
+{
+/// Gaussian centres m_i of Eq. (2) with weights: hits that share a small cell of the plane are
+/// one centre with the weight of all. Structure of arrays; coordinates like those of the clusters:
+/// world axes relative to the frame's origin.
+struct Hits
+{
+    std::vector<double> x;       ///< m
+    std::vector<double> y;       ///< m
+    std::vector<double> weight;  ///< number of hits
+    double totalWeight = 0.0;
+
+    std::size_t size() const { return x.size(); }
+};
+
+/// Projects clusters into the plane and merges the hits of each cell of `cellSize` (m, 0: no
+/// merging) into their mean. Hits that are not finite are dropped.
+Hits projectHits(const Cluster& cluster, double cellSize);
+
+/// The hits of both.
+Hits joined(const Hits& a, const Hits& b);
+
+}  // namespace vdamf

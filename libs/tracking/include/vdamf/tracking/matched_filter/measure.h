@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Section 4 as one call: start, fit, covariance, faces seen.
+#pragma once
+
+#include <optional>
+
+#include "vdamf/tracking/matched_filter/fit.h"
+#include "vdamf/tracking/types/measurement.h"
+
+namespace vdamf
+{
+enum class FilterKind
+{
+    Paper,        ///< Table 1
+    CoarseToFine  ///< Table 1, then the same filter with narrower strips and sigma, twice
+};
+
+template <>
+struct EnumNames<FilterKind>
+{
+    static std::vector<std::pair<FilterKind, const char*>> names()
+    {
+        return {{FilterKind::Paper, "paper"}, {FilterKind::CoarseToFine, "coarse_to_fine"}};
+    }
+};
+
+struct MeasureOptions
+{
+    FilterKind filter = FilterKind::Paper;
+    double sigma = 0.2;          ///< m
+    double mergeCell = 0.1;      ///< m
+    double hitSigma = 0.12;      ///< m
+    double sizePriorWeight = 0.02;  ///< 1/m^3
+    double minFaceAngle = 10.0 * kPi / 180.0;  ///< rad
+    int minFaceHits = 5;
+    FitOptions fit;
+
+    template <class Self, class Visitor>
+    static void visit(Self& self, Visitor&& field)
+    {
+        field(self.filter, "filter", "paper: Table 1; coarse_to_fine: narrowed twice from there");
+        field(self.sigma, "sigma_m", 0.02, 1.0, "of the Gaussian around each hit (Eq. 2)");
+        field(self.mergeCell, "merge_cell_m", 0.0, 0.5,
+              "hits that share a cell of this size count as one Gaussian with their weight; 0: off");
+        field(self.hitSigma, "hit_sigma_m", 0.001, 1.0,
+              "sigma_p of Eq. 14: effective scatter of one hit about the surface");
+        field(self.sizePriorWeight, "size_prior_weight", 0.0, 10.0,
+              "pull of a track's known size on the fit, response per hit / m^2; 0: as in the paper");
+        field(self.minFaceAngle, "min_face_angle_deg", 0.0, 45.0,
+              "grazing angle from which a face counts as seen");
+        field(self.minFaceHits, "min_face_hits", 1, 100, "hits that a face needs to count as seen");
+        FitOptions::visit(self.fit, field);
+    }
+};
+
+/// Faces of the box towards the sensor with enough hits in the filter's strip along them; a hit in
+/// the corner of two strips counts for neither.
+FaceSet facesSeen(const Hits& hits, const OrientedBox& box, const Eigen::Vector2d& sensor,
+                  const MeasureOptions& options);
+
+/// Measures a target from a start, for example a track's predicted pose and size. `known` size, if
+/// given, is held to with sizePriorWeight. Coordinates: those of the hits.
+Measurement measureTarget(const Hits& hits, const Eigen::Vector2d& sensor,
+                          const OrientedBox& start, const MeasureOptions& options,
+                          const std::optional<Eigen::Vector2d>& knownLengthWidth = std::nullopt);
+
+/// Start for hits of which nothing is known (4.3: "the boundaries of each cluster provide a
+/// starting state"): the rectangle around them whose edges they follow best, with the heading
+/// along its longer side, unless that is too short for a vehicle's side and so must be its end.
+/// Of the two directions along the heading the one away from the sensor is taken.
+OrientedBox startBox(const Hits& hits, const Eigen::Vector2d& sensor, const FitOptions& options);
+
+}  // namespace vdamf

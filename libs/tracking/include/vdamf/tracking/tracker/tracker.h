@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Fig. 2 as a whole: a frame of LADAR data in, tracked objects out.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "vdamf/tracking/association/auction.h"
+#include "vdamf/tracking/estimation/variable_axis_model.h"
+#include "vdamf/tracking/estimation/visibility.h"
+#include "vdamf/tracking/matched_filter/measure.h"
+#include "vdamf/tracking/preprocessing/clustering.h"
+#include "vdamf/tracking/preprocessing/ground.h"
+#include "vdamf/tracking/types/point_cloud.h"
+#include "vdamf/tracking/types/track.h"
+
+namespace vdamf
+{
+struct LifecycleOptions
+{
+    int minHits = 10;
+    double minHeight = 0.4;        ///< m
+    double maxExtent = 25.0;       ///< m
+    int confirmHits = 3;
+    int tentativeMisses = 2;
+    double maxCoast = 1.0;         ///< s
+    double startSpeedSigma = 8.0;  ///< m/s
+    double nisGate = 11.34;
+
+    template <class Self, class Visitor>
+    static void visit(Self& self, Visitor&& field)
+    {
+        field(self.minHits, "min_hits", 3, 1000, "on a cluster that starts a track");
+        field(self.minHeight, "min_height_m", 0.0, 3.0, "of a cluster that starts a track");
+        field(self.maxExtent, "max_extent_m", 3.0, 60.0, "diagonal of a cluster that starts a track");
+        field(self.confirmHits, "confirm_hits", 1, 50, "measured frames that confirm a track");
+        field(self.tentativeMisses, "tentative_misses", 1, 50,
+              "frames without hits that end a tentative track");
+        field(self.maxCoast, "max_coast_s", 0.0, 10.0,
+              "time without hits that ends a confirmed track");
+        field(self.startSpeedSigma, "start_speed_sigma_mps", 0.1, 40.0, "of a new track's speed");
+        field(self.nisGate, "nis_gate", 1.0, 1000.0,
+              "chi-square value with 3 degrees of freedom above which a measurement counts less "
+              "(11.34: 99 %)");
+    }
+};
+
+struct TrackerOptions
+{
+    GroundOptions ground;
+    ClusterOptions clustering;
+    AssociationOptions association;
+    MeasureOptions measurement;
+    VisibilityOptions visibility;
+    MotionOptions motion;
+    LifecycleOptions lifecycle;
+
+    /// All problems, each with its section: "[clustering] gap_m = ...". Empty: valid.
+    std::vector<std::string> problems() const;
+};
+
+/// Stages of the frame function, in order: for timing.
+enum class Stage
+{
+    Ground,
+    Clustering,
+    Prediction,
+    Association,
+    Measurement,
+    Update,
+    NewTracks
+};
+const char* toString(Stage stage);
+
+/// Tracks all objects of vehicle size, vehicles or not (section 2). Pure: no clock, no file, no
+/// randomness; the same frames give the same results.
+class Tracker
+{
+public:
+    /// Throws std::invalid_argument that lists the problems of bad options.
+    explicit Tracker(const TrackerOptions& options);
+    ~Tracker();
+    Tracker(Tracker&&) noexcept;
+    Tracker& operator=(Tracker&&) noexcept;
+
+    /// Takes the next frame. Frames come in order of time; one that is not later than its
+    /// predecessor throws std::invalid_argument and changes nothing.
+    FrameResult process(const LadarFrame& frame);
+
+    /// Called as each stage begins and, with nullptr, after the last one.
+    void onStage(std::function<void(const Stage*)> observer);
+
+private:
+    class Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace vdamf

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vdamf/tracking/estimation/variable_axis_model.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vdamf
+{
+namespace
+{
+// Below this turn within a step the closed forms lose digits and their series take over.
+constexpr double kSmallTurn = 1e-3;
+
+// Displacement of the centre in the old body frame over arc length s, ahead (a) and left (b), with
+// derivatives by kappa.
+struct Displacement
+{
+    double a, b, aKappa, bKappa;
+};
+
+Displacement displacement(double s, double kappa, double d)
+{
+    const double eta = kappa * s;
+    const double c = std::cos(eta);
+    const double z = std::sin(eta);
+    const double eta2 = eta * eta;
+    if (std::abs(eta) < kSmallTurn)
+    {
+        const double oneMinusC = eta2 * (0.5 - eta2 / 24.0);
+        const double sinEta = eta * (1.0 - eta2 / 6.0);
+        return {s * (1.0 - eta2 / 6.0 + eta2 * eta2 / 120.0) - d * oneMinusC,
+                s * eta * (0.5 - eta2 / 24.0) + d * sinEta,
+                s * s * eta * (-1.0 / 3.0 + eta2 / 30.0) - d * s * z,
+                s * s * (0.5 - eta2 / 8.0 + eta2 * eta2 / 144.0) + d * s * c};
+    }
+    return {z / kappa - d * (1.0 - c), (1.0 - c) / kappa + d * z,
+            (eta * c - z) / (kappa * kappa) - d * s * z,
+            (eta * z - (1.0 - c)) / (kappa * kappa) + d * s * c};
+}
+}  // namespace
+
+Vector6d predictState(const Vector6d& x, double dt, double length, const MotionOptions& options)
+{
+    const double s = x(kSpeed) * dt;
+    const Displacement move = displacement(s, x(kCurvature), x(kAxis));
+    const Eigen::Vector2d world = rotation(x(kHeading)) * Eigen::Vector2d(move.a, move.b);
+    const double prior = options.axisFraction * length;
+    Vector6d y = x;
+    y(kX) += world.x();
+    y(kY) += world.y();
+    y(kHeading) = wrapAngle(x(kHeading) + x(kCurvature) * s);
+    y(kAxis) = prior + (x(kAxis) - prior) * std::exp(-dt / options.axisTime);
+    return y;
+}
+
+Matrix6d transitionJacobian(const Vector6d& x, double dt, const MotionOptions& options)
+{
+    const double kappa = x(kCurvature);
+    const double d = x(kAxis);
+    const double s = x(kSpeed) * dt;
+    const double eta = kappa * s;
+    const double cosEta = std::cos(eta);
+    const double sinEta = std::sin(eta);
+    const Displacement move = displacement(s, kappa, d);
+    const Eigen::Matrix2d r = rotation(x(kHeading));
+    Matrix6d f = Matrix6d::Identity();
+    f.block<2, 1>(kX, kHeading) = r * Eigen::Vector2d(-move.b, move.a);
+    f.block<2, 1>(kX, kSpeed) =
+        dt * (r * Eigen::Vector2d(cosEta - d * kappa * sinEta, sinEta + d * kappa * cosEta));
+    f.block<2, 1>(kX, kCurvature) = r * Eigen::Vector2d(move.aKappa, move.bKappa);
+    f.block<2, 1>(kX, kAxis) = r * Eigen::Vector2d(-(1.0 - cosEta), sinEta);
+    f(kHeading, kSpeed) = kappa * dt;
+    f(kHeading, kCurvature) = s;
+    f(kAxis, kAxis) = std::exp(-dt / options.axisTime);
+    return f;
+}
+
+Matrix6d processNoise(const Vector6d& x, double dt, const MotionOptions& options)
+{
+    const double v = x(kSpeed);
+    const double kappa = x(kCurvature);
+    const double d = x(kAxis);
+    const double eta = kappa * v * dt;
+    const Eigen::Matrix2d r = rotation(x(kHeading));
+
+    Vector6d acceleration = Vector6d::Zero();
+    acceleration.head<2>() = 0.5 * dt * dt *
+                             (r * Eigen::Vector2d(std::cos(eta) - d * kappa * std::sin(eta),
+                                                  std::sin(eta) + d * kappa * std::cos(eta)));
+    acceleration(kHeading) = 0.5 * kappa * dt * dt;
+    acceleration(kSpeed) = dt;
+
+    Vector6d steering = Vector6d::Zero();
+    steering.head<2>() =
+        r * Eigen::Vector2d(0.0, v * v * dt * dt * dt / 6.0 + 0.5 * d * v * dt * dt);
+    steering(kHeading) = 0.5 * v * dt * dt;
+    steering(kCurvature) = dt;
+    // Steering is bounded by the steering wheel's rate when slow and by lateral jerk when fast; a
+    // vehicle that stands shows nothing of it, so its uncertainty must not grow there.
+    const double rate = std::min(options.maxCurvatureRate, options.lateralJerk / std::max(v * v, 1e-6));
+    const double moving = std::min(1.0, std::abs(v) / 0.5);
+
+    Matrix6d q = options.accelerationSigma * options.accelerationSigma * acceleration *
+                 acceleration.transpose();
+    q += rate * rate * moving * steering * steering.transpose();
+    q(kX, kX) += options.slipSigma * options.slipSigma * dt;
+    q(kY, kY) += options.slipSigma * options.slipSigma * dt;
+    q(kHeading, kHeading) += options.headingSigma * options.headingSigma * dt;
+    q(kAxis, kAxis) += options.axisSigma * options.axisSigma * dt;
+    return q;
+}
+
+Vector6d withinBounds(const Vector6d& x, double length, const MotionOptions& options)
+{
+    const double v = x(kSpeed);
+    const double kappa =
+        std::min(options.maxCurvature, options.maxLateralAcceleration / std::max(v * v, 1e-6));
+    Vector6d y = x;
+    y(kHeading) = wrapAngle(x(kHeading));
+    y(kCurvature) = std::clamp(x(kCurvature), -kappa, kappa);
+    y(kAxis) = std::clamp(x(kAxis), -0.1 * length, 0.45 * length);
+    return y;
+}
+
+}  // namespace vdamf

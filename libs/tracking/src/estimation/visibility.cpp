@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vdamf/tracking/estimation/visibility.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vdamf
+{
+namespace
+{
+OrientedBox boxOf(const VehicleState& state, const SizeMemory& size)
+{
+    return {state.mean(kX), state.mean(kY), state.mean(kHeading), size.length.mean, size.width.mean};
+}
+
+SizeEstimate updatedEstimate(const SizeEstimate& memory, double measured, double fitVariance,
+                             const VisibilityOptions& options)
+{
+    // What the fit claims is capped: its model of the surface has errors that it does not see.
+    double noise = options.sizeSigma * options.sizeSigma + std::min(fitVariance, 1.0);
+    const double prior = memory.variance + options.sizeDriftSigma * options.sizeDriftSigma;
+    const double innovation = measured - memory.mean;
+    const double sigma = std::sqrt(prior + noise);
+    constexpr double kLoss = 2.0;  // sigmas below the average: visibility loss
+    if (innovation < -kLoss * sigma) noise *= 100.0;
+    const double gain = prior / (prior + noise);
+    return {memory.mean + gain * innovation, (1.0 - gain) * prior};
+}
+}  // namespace
+
+SizeMemory initialSize(const Measurement& m, const VisibilityOptions& o)
+{
+    // Ends of road vehicles that could be a car's, and sides that could.
+    const bool carEnd = m.box.width > 1.3 && m.box.width < 2.3;
+    const bool carSide = m.box.length > 2.7 && m.box.length < 5.5;
+    const double seen = o.sizeSigma * o.sizeSigma;
+    const double hidden = o.unseenSigma * o.unseenSigma;
+    SizeMemory memory{{m.box.length, locatesLength(m) ? seen + std::min(1.0, m.covariance(3, 3)) : hidden},
+                      {m.box.width, locatesWidth(m) ? seen + std::min(1.0, m.covariance(4, 4)) : hidden}};
+    if (!o.assumeVehicleSize) return memory;
+    if (!locatesLength(m) && locatesWidth(m) && carEnd && m.box.length < o.carLength)
+        memory.length = {o.carLength, o.carLengthSigma * o.carLengthSigma};
+    if (!locatesWidth(m) && locatesLength(m) && carSide && m.box.width < o.carWidth)
+        memory.width = {o.carWidth, o.carWidthSigma * o.carWidthSigma};
+    return memory;
+}
+
+SizeMemory updatedSize(const SizeMemory& memory, const Measurement& m, const VisibilityOptions& o)
+{
+    SizeMemory next = memory;
+    // A hidden dimension that shows more than is remembered is at least that large.
+    if (locatesLength(m) || m.box.length > memory.length.mean + 2.0 * o.sizeSigma)
+        next.length = updatedEstimate(memory.length, m.box.length, m.covariance(3, 3), o);
+    if (locatesWidth(m) || m.box.width > memory.width.mean + 2.0 * o.sizeSigma)
+        next.width = updatedEstimate(memory.width, m.box.width, m.covariance(4, 4), o);
+    return next;
+}
+
+Eigen::Vector2d nearestPoint(const OrientedBox& box, const Eigen::Vector2d& sensor)
+{
+    const Eigen::Vector2d view = toBoxFrame(box, sensor);
+    return {std::clamp(view.x() / (0.5 * box.length), -1.0, 1.0),
+            std::clamp(view.y() / (0.5 * box.width), -1.0, 1.0)};
+}
+
+VehicleState resized(const VehicleState& state, const SizeMemory& before, const SizeMemory& after,
+                     const Eigen::Vector2d& sensor)
+{
+    const Eigen::Vector2d nearest = nearestPoint(boxOf(state, before), sensor);
+    const Eigen::Vector2d move = -0.5 * nearest.cwiseProduct(Eigen::Vector2d(
+                                            after.length.mean - before.length.mean,
+                                            after.width.mean - before.width.mean));
+    VehicleState next = state;
+    next.mean.head<2>() += rotation(state.mean(kHeading)) * move;
+    // Every point of the axle line moves along the heading, so the axis point may follow the
+    // centre sideways: it then runs on a path of another radius.
+    const double ratio = 1.0 - state.mean(kCurvature) * move.y();
+    next.mean(kAxis) += move.x();
+    next.mean(kSpeed) *= ratio;
+    next.mean(kCurvature) /= ratio;
+    return next;
+}
+
+PoseMeasurement anchoredPose(const Measurement& m, const SizeMemory& size,
+                             const Eigen::Vector2d& sensor, const VisibilityOptions& o)
+{
+    const Eigen::Vector2d nearest = nearestPoint(m.box, sensor);
+    const Eigen::Vector2d offset = 0.5 * nearest.cwiseProduct(Eigen::Vector2d(
+                                             m.box.length - size.length.mean,
+                                             m.box.width - size.width.mean));
+    const Eigen::Matrix2d r = rotation(m.box.heading);
+    // d pose / d (x, y, heading, length, width)
+    Eigen::Matrix<double, 3, 5> j = Eigen::Matrix<double, 3, 5>::Zero();
+    j.topLeftCorner<2, 2>().setIdentity();
+    j.block<2, 1>(0, 2) = r * Eigen::Vector2d(-offset.y(), offset.x());
+    j.block<2, 1>(0, 3) = r * Eigen::Vector2d(0.5 * nearest.x(), 0.0);
+    j.block<2, 1>(0, 4) = r * Eigen::Vector2d(0.0, 0.5 * nearest.y());
+    j(2, 2) = 1.0;
+
+    PoseMeasurement pose;
+    pose.pose.head<2>() = m.box.centre() + r * offset;
+    pose.pose(2) = m.box.heading;
+    pose.covariance = j * m.covariance * j.transpose();
+    const double position = m.facesSeen.empty() ? o.unseenSigma : o.positionFloor;
+    const double heading = m.facesSeen.seesSide() ? o.headingFloor : o.endOnlyHeadingFloor;
+    pose.covariance(0, 0) += position * position;
+    pose.covariance(1, 1) += position * position;
+    pose.covariance(2, 2) += heading * heading;
+    return pose;
+}
+
+Measurement alignedWith(const Measurement& measurement, double heading)
+{
+    Measurement m = measurement;
+    if (std::abs(wrapAngle(m.box.heading - heading)) <= 0.5 * kPi) return m;
+    m.box.heading = wrapAngle(m.box.heading + kPi);
+    FaceSet faces;
+    if (measurement.facesSeen.has(Face::Front)) faces.add(Face::Back);
+    if (measurement.facesSeen.has(Face::Back)) faces.add(Face::Front);
+    if (measurement.facesSeen.has(Face::Left)) faces.add(Face::Right);
+    if (measurement.facesSeen.has(Face::Right)) faces.add(Face::Left);
+    m.facesSeen = faces;
+    return m;
+}
+
+}  // namespace vdamf

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Section 4.3: Newton steps with the exact Hessian, shifted until it is definite.
+#include <Eigen/Eigenvalues>
+#include <cmath>
+
+#include "matched_filter/fit_objective.h"
+
+namespace vdamf
+{
+namespace
+{
+// Parameters are brought to like curvature: a quarter of a radian moves a vehicle's corner about
+// as far as a metre moves its centre.
+const Vector5d kScale = (Vector5d() << 1.0, 1.0, 0.25, 1.0, 1.0).finished();
+// The response changes its shape over half a strip: longer steps than that are mostly lost.
+constexpr double kMaxMove = 0.3;         // m, of the centre
+constexpr double kMaxTurn = 0.15;        // rad
+constexpr double kMaxGrowth = 0.5;       // m
+constexpr double kLeastCurvature = 1e-3;  // of the largest one: the floor of all
+
+// A size at a bound whose step would leave it takes no part in the step.
+bool heldAtBound(int parameter, const OrientedBox& box, double gradient, const FitOptions& o)
+{
+    if (parameter < 3) return false;
+    const double size = parameter == 3 ? box.length : box.width;
+    const double min = parameter == 3 ? o.minLength : o.minWidth;
+    const double max = parameter == 3 ? o.maxLength : o.maxWidth;
+    return (size <= min && gradient > 0.0) || (size >= max && gradient < 0.0);
+}
+
+struct Step
+{
+    Vector5d move;      // in the parameters' own units
+    double gain = 0.0;  // predicted decrease of the cost
+};
+
+Step dampedStep(const FitCost& cost, const OrientedBox& box, double damping, const FitOptions& o)
+{
+    Vector5d g = kScale.cwiseProduct(cost.gradient);
+    Matrix5d h = kScale.asDiagonal() * cost.hessian * kScale.asDiagonal();
+    for (int k = 3; k < 5; ++k)
+    {
+        if (!heldAtBound(k, box, cost.gradient(k), o)) continue;
+        g(k) = 0.0;
+        h.row(k).setZero();
+        h.col(k).setZero();
+        h(k, k) = 1.0;
+    }
+    const Eigen::SelfAdjointEigenSolver<Matrix5d> eigen(h);
+    const double largest = eigen.eigenvalues().cwiseAbs().maxCoeff();
+    // Away from the optimum the Hessian is indefinite. Turning negative curvatures positive keeps
+    // the step downhill along every axis, and at full length along the well-shaped ones.
+    const Vector5d curvature =
+        (eigen.eigenvalues().cwiseAbs().array().max(kLeastCurvature * largest) + damping * largest)
+            .matrix();
+    const Vector5d along = eigen.eigenvectors().transpose() * g;
+    Vector5d step = -eigen.eigenvectors() * along.cwiseQuotient(curvature);
+    const Vector5d move = kScale.cwiseProduct(step);
+    const double excess = std::max({move.head<2>().norm() / kMaxMove, std::abs(move(2)) / kMaxTurn,
+                                    move.tail<2>().cwiseAbs().maxCoeff() / kMaxGrowth, 1.0});
+    step /= excess;
+    return {move / excess, -(g.dot(step) + 0.5 * step.dot(h * step))};
+}
+}  // namespace
+
+Optimum levenbergMarquardt(const FitObjective& objective, const OrientedBox& start,
+                           const FitOptions& options)
+{
+    Optimum best{start, 1, false};
+    FitCost cost = objective.derivatives(start);
+    double damping = 1e-2;
+    while (best.iterations < options.maxIterations)
+    {
+        const Step step = dampedStep(cost, best.box, damping, options);
+        if (!step.move.allFinite()) break;
+        const OrientedBox trial = movedWithinBounds(best.box, step.move, options);
+        const FitCost trialCost = objective.derivatives(trial);
+        ++best.iterations;
+        const double gain = cost.value - trialCost.value;
+        const bool small = step.move.cwiseAbs().maxCoeff() < options.tolerance;
+        // Rounding hides gains of this size: then a small step is as good as none.
+        const double resolution = 1e-12 * std::abs(cost.value);
+        if (gain >= -resolution)
+        {
+            best.box = trial;
+            cost = trialCost;
+            damping = gain > 0.75 * step.gain ? std::max(damping * 0.1, 1e-7)
+                      : gain < 0.25 * step.gain ? damping * 2.0
+                                                : damping;
+        }
+        else
+        {
+            damping = std::max(damping * 6.0, 1e-3);
+        }
+        if (small)
+        {
+            best.converged = true;
+            break;
+        }
+    }
+    return best;
+}
+
+}  // namespace vdamf

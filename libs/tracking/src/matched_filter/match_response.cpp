@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vdamf/tracking/matched_filter/match_response.h"
+
+#include <cmath>
+
+#include "matched_filter/filter_regions.h"
+#include "matched_filter/hit_integrals.h"
+
+namespace vdamf
+{
+namespace
+{
+using Weights = std::array<double, FilterRegions::kRegions>;
+
+// Sum over the regions of weight * x * y: one entry of the response per hit.
+double sum(const Weights& c, const Weights& x, const Weights& y)
+{
+    return c[0] * x[0] * y[0] + c[1] * x[1] * y[1] + c[2] * x[2] * y[2] + c[3] * x[3] * y[3];
+}
+
+// Hits in the axes of the box, Eq. (9) with m_0 at the box centre.
+struct BoxAxes
+{
+    explicit BoxAxes(const OrientedBox& box)
+        : x0(box.x), y0(box.y), c(std::cos(box.heading)), s(std::sin(box.heading))
+    {
+    }
+    double x(double px, double py) const { return c * (px - x0) + s * (py - y0); }
+    double y(double px, double py) const { return -s * (px - x0) + c * (py - y0); }
+
+    double x0, y0, c, s;
+};
+
+// f of one hit (the un-normalised response F is the sum over hits) and its derivatives.
+struct HitTerms
+{
+    HitTerms(double px, double py, const FilterRegions& regions, const AxisIntegrals& ax,
+             const AxisIntegrals& ay)
+        : x(px), y(py), r(regions), X(ax), Y(ay)
+    {
+    }
+    double f() const { return sum(r.c, X.v, Y.v); }
+    double fx() const { return sum(r.c, X.d, Y.v); }
+    double fy() const { return sum(r.c, X.v, Y.d); }
+    double fxx() const { return sum(r.c, X.s, Y.v); }
+    double fyy() const { return sum(r.c, X.v, Y.s); }
+    double fxy() const { return sum(r.c, X.d, Y.d); }
+    double fxl() const { return -sum(r.c, X.aq, Y.v); }
+    double fxw() const { return -sum(r.c, X.d, Y.a); }
+    double fyl() const { return -sum(r.c, X.a, Y.d); }
+    double fyw() const { return -sum(r.c, X.v, Y.aq); }
+    // The derivatives by theta at fixed hit coordinates in the box: through the weights alone.
+    double fv() const { return sum(r.c1, X.v, Y.v); }
+    double fvx() const { return sum(r.c1, X.d, Y.v); }
+    double fvy() const { return sum(r.c1, X.v, Y.d); }
+
+    Vector5d gradient() const
+    {
+        Vector5d g;
+        g << -fx(), -fy(), y * fx() - x * fy() + fv(), -sum(r.c, X.a, Y.v), -sum(r.c, X.v, Y.a);
+        return g;
+    }
+
+    Matrix5d hessian() const
+    {
+        Matrix5d h;
+        h(0, 0) = fxx();
+        h(0, 1) = fxy();
+        h(1, 1) = fyy();
+        h(0, 2) = -(y * fxx() - x * fxy() + fvx());
+        h(1, 2) = -(y * fxy() - x * fyy() + fvy());
+        h(2, 2) = y * y * fxx() + x * x * fyy() - 2.0 * x * y * fxy() - x * fx() - y * fy() +
+                  2.0 * (y * fvx() - x * fvy()) + sum(r.c2, X.v, Y.v);
+        h(0, 3) = -fxl();
+        h(0, 4) = -fxw();
+        h(1, 3) = -fyl();
+        h(1, 4) = -fyw();
+        h(2, 3) = y * fxl() - x * fyl() - sum(r.c1, X.a, Y.v);
+        h(2, 4) = y * fxw() - x * fyw() - sum(r.c1, X.v, Y.a);
+        h(3, 3) = sum(r.c, X.aaq, Y.v);
+        h(3, 4) = sum(r.c, X.a, Y.a);
+        h(4, 4) = sum(r.c, X.v, Y.aaq);
+        return h;  // upper triangle
+    }
+
+    // d gradient / d (x, y): Eq. (13) before normalisation.
+    Eigen::Matrix<double, 5, 2> gradientByPosition() const
+    {
+        Eigen::Matrix<double, 5, 2> b;
+        b << -fxx(), -fxy(),                             //
+            -fxy(), -fyy(),                              //
+            y * fxx() - fy() - x * fxy() + fvx(),        //
+            fx() + y * fxy() - x * fyy() + fvy(),        //
+            fxl(), fyl(),                                //
+            fxw(), fyw();
+        return b;
+    }
+
+    double x, y;
+    const FilterRegions& r;
+    const AxisIntegrals& X;
+    const AxisIntegrals& Y;
+};
+
+// Calls visit(weight, terms) for every hit.
+template <class Visit>
+void forEachHit(const Hits& hits, const FilterShape& shape, const FilterRegions& regions,
+                const OrientedBox& box, Visit&& visit)
+{
+    const BoxAxes axes(box);
+    for (std::size_t i = 0; i < hits.size(); ++i)
+    {
+        const double x = axes.x(hits.x[i], hits.y[i]);
+        const double y = axes.y(hits.x[i], hits.y[i]);
+        const AxisIntegrals ax =
+            axisIntegrals(x, shape.sigma, box.length, regions.edgesX, regions.spanX);
+        const AxisIntegrals ay =
+            axisIntegrals(y, shape.sigma, box.width, regions.edgesY, regions.spanY);
+        visit(i, HitTerms(x, y, regions, ax, ay));
+    }
+}
+
+// alpha = E^(-1/2) of Eq. (3) with its derivatives in (t_x, t_y, theta, l, w).
+struct Normalisation
+{
+    Normalisation(const FilterRegions& regions, const OrientedBox& box)
+    {
+        const FilterEnergy e(regions, box.length, box.width);
+        value = 1.0 / std::sqrt(e.value);
+        Vector5d g;
+        g << 0.0, 0.0, e.t, e.l, e.w;
+        Matrix5d h = Matrix5d::Zero();
+        h(2, 2) = e.tt;
+        h(2, 3) = h(3, 2) = e.tl;
+        h(2, 4) = h(4, 2) = e.tw;
+        h(3, 4) = h(4, 3) = e.lw;
+        gradient = -0.5 * value / e.value * g;
+        hessian = 0.75 * value / (e.value * e.value) * g * g.transpose() - 0.5 * value / e.value * h;
+    }
+    double value = 0.0;
+    Vector5d gradient;
+    Matrix5d hessian;
+};
+}  // namespace
+
+double bearingToSensor(const OrientedBox& box, const Eigen::Vector2d& sensor)
+{
+    return std::atan2(sensor.y() - box.y, sensor.x() - box.x);
+}
+
+double matchValue(const Hits& hits, const FilterShape& shape, const OrientedBox& box, double phi)
+{
+    const FilterRegions regions(shape, box.heading - phi);
+    double f = 0.0;
+    forEachHit(hits, shape, regions, box,
+               [&](std::size_t i, const HitTerms& hit) { f += hits.weight[i] * hit.f(); });
+    return f / std::sqrt(FilterEnergy(regions, box.length, box.width).value);
+}
+
+MatchResponse matchResponse(const Hits& hits, const FilterShape& shape, const OrientedBox& box,
+                            double phi)
+{
+    const FilterRegions regions(shape, box.heading - phi);
+    double f = 0.0;
+    Vector5d g = Vector5d::Zero();
+    Matrix5d h = Matrix5d::Zero();
+    forEachHit(hits, shape, regions, box,
+               [&](std::size_t i, const HitTerms& hit)
+               {
+                   const double weight = hits.weight[i];
+                   f += weight * hit.f();
+                   g += weight * hit.gradient();
+                   h.triangularView<Eigen::Upper>() += weight * hit.hessian();
+               });
+    h.triangularView<Eigen::StrictlyLower>() = h.transpose();
+    const Normalisation a(regions, box);
+    MatchResponse m;
+    m.value = a.value * f;
+    m.gradient = a.value * g + f * a.gradient;
+    m.hessian = a.value * h + a.gradient * g.transpose() + g * a.gradient.transpose() + f * a.hessian;
+    return m;
+}
+
+std::vector<Eigen::Matrix<double, 5, 2>> gradientByHit(const Hits& hits, const FilterShape& shape,
+                                                       const OrientedBox& box, double phi)
+{
+    const FilterRegions regions(shape, box.heading - phi);
+    const Normalisation a(regions, box);
+    std::vector<Eigen::Matrix<double, 5, 2>> all;
+    all.reserve(hits.size());
+    forEachHit(hits, shape, regions, box,
+               [&](std::size_t, const HitTerms& hit)
+               {
+                   all.push_back(a.value * hit.gradientByPosition() +
+                                 a.gradient * Eigen::RowVector2d(hit.fx(), hit.fy()));
+               });
+    return all;
+}
+
+double filterEnergy(const FilterShape& shape, const OrientedBox& box, double phi)
+{
+    return FilterEnergy(FilterRegions(shape, box.heading - phi), box.length, box.width).value;
+}
+
+double filterHeight(const FilterShape& shape, const OrientedBox& box, double phi,
+                    const Eigen::Vector2d& p)
+{
+    const FilterRegions r(shape, box.heading - phi);
+    const auto inside = [](double v, double size, const std::array<RegionEdge, 5>& edges,
+                           const std::array<int, 2>& span)
+    {
+        const RegionEdge& a = edges[static_cast<std::size_t>(span[0])];
+        const RegionEdge& b = edges[static_cast<std::size_t>(span[1])];
+        return v >= a.slope * size + a.offset && v < b.slope * size + b.offset;
+    };
+    double height = 0.0;
+    for (std::size_t k = 0; k < FilterRegions::kRegions; ++k)
+    {
+        if (inside(p.x(), box.length, r.edgesX, r.spanX[k]) &&
+            inside(p.y(), box.width, r.edgesY, r.spanY[k]))
+            height += r.c[k];
+    }
+    return height;
+}
+
+}  // namespace vdamf

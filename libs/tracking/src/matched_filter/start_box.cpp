@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
+
+#include "vdamf/tracking/matched_filter/measure.h"
+
+namespace vdamf
+{
+namespace
+{
+// Rectangle around the hits at a heading, and how closely they keep to its edges (Zhang et al.,
+// IV 2017, closeness).
+struct Bounds
+{
+    double minX = 0.0, maxX = 0.0, minY = 0.0, maxY = 0.0;
+    double closeness = 0.0;
+};
+
+Bounds boundsAt(const Hits& hits, double heading)
+{
+    constexpr double kClosest = 0.1;  // m; nearer to an edge than this is on it
+    const double c = std::cos(heading);
+    const double s = std::sin(heading);
+    Bounds b{1e30, -1e30, 1e30, -1e30, 0.0};
+    for (std::size_t i = 0; i < hits.size(); ++i)
+    {
+        const double x = c * hits.x[i] + s * hits.y[i];
+        const double y = -s * hits.x[i] + c * hits.y[i];
+        b.minX = std::min(b.minX, x);
+        b.maxX = std::max(b.maxX, x);
+        b.minY = std::min(b.minY, y);
+        b.maxY = std::max(b.maxY, y);
+    }
+    for (std::size_t i = 0; i < hits.size(); ++i)
+    {
+        const double x = c * hits.x[i] + s * hits.y[i];
+        const double y = -s * hits.x[i] + c * hits.y[i];
+        const double edge = std::min({x - b.minX, b.maxX - x, y - b.minY, b.maxY - y});
+        b.closeness += hits.weight[i] / std::max(edge, kClosest);
+    }
+    return b;
+}
+}  // namespace
+
+OrientedBox startBox(const Hits& hits, const Eigen::Vector2d& sensor, const FitOptions& options)
+{
+    // No end of a road vehicle is wider than this, no side of a car shorter.
+    constexpr double kShortestSide = 2.7;  // m
+    constexpr int kHeadings = 30;          // over a quarter turn
+    if (hits.size() == 0) return {};
+    double heading = 0.0;
+    Bounds best = boundsAt(hits, heading);
+    for (int k = 1; k < kHeadings; ++k)
+    {
+        const double angle = 0.5 * kPi * k / kHeadings;
+        const Bounds b = boundsAt(hits, angle);
+        if (b.closeness > best.closeness)
+        {
+            best = b;
+            heading = angle;
+        }
+    }
+    const Eigen::Vector2d centre = rotation(heading) * Eigen::Vector2d(0.5 * (best.minX + best.maxX),
+                                                                      0.5 * (best.minY + best.maxY));
+    double length = best.maxX - best.minX;
+    double width = best.maxY - best.minY;
+    const bool alongX = (length >= width) == (std::max(length, width) >= kShortestSide);
+    if (!alongX)
+    {
+        heading += 0.5 * kPi;
+        std::swap(length, width);
+    }
+    const Eigen::Vector2d forward(std::cos(heading), std::sin(heading));
+    if (forward.dot(centre - sensor) < 0.0) heading += kPi;
+    return {centre.x(), centre.y(), wrapAngle(heading),
+            std::clamp(length, options.minLength, options.maxLength),
+            std::clamp(width, options.minWidth, options.maxWidth)};
+}
+
+}  // namespace vdamf

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A tracked object between frames.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <optional>
+
+#include "vdamf/tracking/estimation/visibility.h"
+#include "vdamf/tracking/tracker/tracker.h"
+#include "vdamf/tracking/types/measurement.h"
+
+namespace vdamf
+{
+/// A measured position of a track.
+struct PathPoint
+{
+    double time = 0.0;
+    Eigen::Vector2d position = Eigen::Vector2d::Zero();  ///< world, m
+};
+
+/// Hits of one target in one frame, and what they measured. World frame.
+struct Sighting
+{
+    double time = 0.0;                                   ///< s
+    Eigen::Vector2d sensor = Eigen::Vector2d::Zero();    ///< m
+    Measurement measurement;
+    double groundZ = 0.0;                                ///< local ground, m
+    double height = 0.0;                                 ///< of the highest hit above it, m
+};
+
+struct Track
+{
+    std::uint64_t id = 0;
+    TrackStatus status = TrackStatus::Tentative;
+    VehicleState state;  ///< world
+    SizeMemory size;
+    double groundZ = 0.0;
+    double height = 0.0;
+    int sightings = 0;
+    int misses = 0;            ///< frames since the last sighting
+    double lastSeen = 0.0;     ///< s
+    bool forwardSeen = false;  ///< it drove forward: the front is known
+    std::deque<PathPoint> path;  ///< sightings of the last second
+    // Of the current frame:
+    std::optional<Measurement> measurement;
+    std::optional<double> nis;
+
+    OrientedBox box() const
+    {
+        return {state.mean(kX), state.mean(kY), state.mean(kHeading), size.length.mean,
+                size.width.mean};
+    }
+};
+
+/// A new track from its first sighting.
+Track startedTrack(std::uint64_t id, const Sighting& sighting, const TrackerOptions& options);
+
+/// The track after a sighting: size memory, visibility correction, Kalman update, heading checks.
+Track sightedTrack(const Track& track, const Sighting& sighting, VehicleKalmanFilter& filter,
+                   const TrackerOptions& options);
+
+/// The same track with front and rear exchanged.
+Track reversedTrack(const Track& track);
+
+/// The track turned to the course that its path shows, where that contradicts its heading: by a
+/// quarter turn with length and width exchanged, or by a half turn.
+Track headedAlongPath(const Track& track, const TrackerOptions& options);
+
+TrackReport reportOf(const Track& track);
+
+}  // namespace vdamf

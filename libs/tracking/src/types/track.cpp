@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vdamf/tracking/types/track.h"
+
+namespace vdamf
+{
+namespace
+{
+constexpr TrackStatus kAll[] = {TrackStatus::Tentative, TrackStatus::Confirmed,
+                                TrackStatus::Coasting, TrackStatus::Ended};
+}  // namespace
+
+const char* toString(TrackStatus status)
+{
+    switch (status)
+    {
+        case TrackStatus::Tentative:
+            return "tentative";
+        case TrackStatus::Confirmed:
+            return "confirmed";
+        case TrackStatus::Coasting:
+            return "coasting";
+        case TrackStatus::Ended:
+            return "ended";
+    }
+    return "";
+}
+
+std::optional<TrackStatus> trackStatusFromString(const std::string& text)
+{
+    for (const TrackStatus status : kAll)
+    {
+        if (text == toString(status)) return status;
+    }
+    return std::nullopt;
+}
+
+}  // namespace vdamf
