@@ -147,8 +147,11 @@ void summarise(const vdamf::Scenario& scenario, const CommandLine& line, const T
     std::printf("  poses       %zu\n", totals.poses);
     std::printf("  objects     %zu, of which %zu vehicles\n", scenario.scene.objects.size(),
                 vehicles);
-    std::printf("  size        %.1f MB\n",
-                static_cast<double>(std::filesystem::file_size(line.rawlog)) / 1e6);
+    if (std::filesystem::is_regular_file(line.rawlog))  // it may be a device
+    {
+        std::printf("  size        %.1f MB\n",
+                    static_cast<double>(std::filesystem::file_size(line.rawlog)) / 1e6);
+    }
     std::printf("  time taken  %.1f s (%.1f frames/s)\n", seconds, frames / seconds);
 }
 
@@ -165,23 +168,14 @@ int run(const CommandLine& line)
         return kBadUse;
     }
     if (line.seed) scenario.run.seed = *line.seed;
-    try
-    {
-        const auto begin = std::chrono::steady_clock::now();
-        const Totals totals = simulate(scenario, line);
-        const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
-        summarise(scenario, line, totals, taken.count());
-    }
-    catch (const std::exception& error)
-    {
-        std::cerr << "vdamf-simulate: " << error.what() << '\n';
-        return kFailed;
-    }
+    const auto begin = std::chrono::steady_clock::now();
+    const Totals totals = simulate(scenario, line);
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
+    summarise(scenario, line, totals, taken.count());
     return kDone;
 }
-}  // namespace
 
-int main(int argc, char** argv)
+int parseAndRun(int argc, char** argv)
 {
     CommandLine line;
     CLI::App app(
@@ -214,4 +208,19 @@ int main(int argc, char** argv)
     std::signal(SIGINT, requestStop);
     std::signal(SIGTERM, requestStop);
     return run(line);
+}
+}  // namespace
+
+int main(int argc, char** argv)
+{
+    try
+    {
+        return parseAndRun(argc, argv);
+    }
+    catch (const std::exception& error)
+    {
+        const char* const wipeProgress = isatty(STDERR_FILENO) != 0 ? "\r\033[K" : "";
+        std::fprintf(stderr, "%svdamf-simulate: %s\n", wipeProgress, error.what());
+        return kFailed;
+    }
 }

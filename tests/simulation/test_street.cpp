@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "vdamf/evaluation/box_overlap.h"
+#include "vdamf/evaluation/tables.h"
 #include "vdamf/simulation/scenario.h"
 
 namespace vdamf
@@ -68,6 +69,30 @@ TEST(Street, EveryVehicleIsSeenAndTheMovingOnesForAWhile)
     {
         const bool moves = name.find("parked") == std::string::npos;
         EXPECT_GE(frames, moves ? 6 : 2) << name;
+    }
+}
+
+TEST(Street, ShippedTruthIsWhatTheScenarioGives)
+{
+    const Scenario scenario = street();
+    const std::vector<TruthRow> shipped = readTruth(VDAMF_SOURCE_DIR "/datasets/street/truth.csv");
+    const std::size_t vehicles = 26;
+    ASSERT_EQ(shipped.size(), vehicles * static_cast<std::size_t>(scenario.frames()));
+    for (const int frame : {0, 61, 119})
+    {
+        const std::vector<TruthRow> rows = simulateFrame(scenario, frame).truth;
+        ASSERT_EQ(rows.size(), vehicles);
+        for (std::size_t i = 0; i < vehicles; ++i)
+        {
+            const TruthRow& row = shipped[vehicles * static_cast<std::size_t>(frame) + i];
+            EXPECT_EQ(row.objectId, rows[i].objectId);
+            EXPECT_NEAR(row.time, rows[i].time, 2e-6);
+            EXPECT_NEAR(row.box.x, rows[i].box.x, 2e-4);
+            EXPECT_NEAR(row.box.y, rows[i].box.y, 2e-4);
+            EXPECT_NEAR(row.speed, rows[i].speed, 2e-4);
+            // Another mathematical library may move a ray over an edge.
+            EXPECT_NEAR(row.points, rows[i].points, 2 + rows[i].points / 100);
+        }
     }
 }
 }  // namespace

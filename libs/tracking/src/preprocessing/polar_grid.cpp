@@ -27,7 +27,7 @@ inline float turns(float x, float y)
 }
 }  // namespace
 
-PolarHits locateHits(const LadarFrame& frame, const PolarGrid& grid, const GroundOptions& options)
+PolarHits locateHits(const LadarFrame& frame, const GroundOptions& options)
 {
     const auto n = static_cast<Eigen::Index>(frame.points.size());
     const Eigen::Vector3f shift = (frame.origin - frame.sensor).cast<float>();
@@ -36,7 +36,7 @@ PolarHits locateHits(const LadarFrame& frame, const PolarGrid& grid, const Groun
     hits.y.resize(frame.points.size());
     hits.z.resize(frame.points.size());
     hits.ring.resize(frame.points.size());
-    hits.start.resize(frame.points.size());
+    hits.sector.resize(frame.points.size());
     using Array = Eigen::Map<Eigen::ArrayXf>;
     using Input = Eigen::Map<const Eigen::ArrayXf>;
     Array x(hits.x.data(), n);
@@ -58,8 +58,7 @@ PolarHits locateHits(const LadarFrame& frame, const PolarGrid& grid, const Groun
         // A hit that is not used may hold anything: no conversion to int before this.
         const float turn = used ? turns(hits.x[i], hits.y[i]) : 0.0F;
         const auto sector = static_cast<std::int32_t>(turn * PolarGrid::kSectors);
-        const std::int32_t start = std::min(sector, PolarGrid::kSectors - 1) * grid.rings;
-        hits.start[i] = used ? start : -1;
+        hits.sector[i] = used ? std::min(sector, PolarGrid::kSectors - 1) : -1;
         hits.ring[i] = used ? PolarGrid::coordinate(r) : 0.0F;
     }
     return hits;
@@ -70,8 +69,8 @@ std::vector<LowHits> lowestHits(const PolarHits& hits, const PolarGrid& grid)
     std::vector<LowHits> cells(static_cast<std::size_t>(grid.cells()));
     for (std::size_t i = 0; i < hits.size(); ++i)
     {
-        if (hits.start[i] < 0) continue;
-        const std::int32_t cell = hits.start[i] + static_cast<std::int32_t>(hits.ring[i]);
+        if (hits.sector[i] < 0) continue;
+        const int cell = grid.cell(hits.sector[i], static_cast<int>(hits.ring[i]));
         LowHits& low = cells[static_cast<std::size_t>(cell)];
         const float z = hits.z[i];
         if (z >= low.second) continue;

@@ -42,13 +42,13 @@ struct PolarHits
     std::vector<float> y;             ///< north of the sensor, m
     std::vector<float> z;             ///< above the sensor, m
     std::vector<float> ring;          ///< PolarGrid::coordinate; 0 where the hit is not used
-    std::vector<std::int32_t> start;  ///< first cell of the sector; -1 where the hit is not used
+    std::vector<std::int32_t> sector; ///< -1 where the hit is not used
 
     std::size_t size() const { return x.size(); }
 };
 
 /// Hits out of the options' ranges or not finite are marked as not used.
-PolarHits locateHits(const LadarFrame& frame, const PolarGrid& grid, const GroundOptions& options);
+PolarHits locateHits(const LadarFrame& frame, const GroundOptions& options);
 
 /// The lowest hits of a cell: the candidates for its ground.
 struct LowHits

@@ -5,7 +5,7 @@
 #include <mrpt/serialization/CSerializable.h>
 
 #include <Eigen/Geometry>
-#include <deque>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -33,7 +33,7 @@ struct EnumNames<InsSource>
 struct InsOptions
 {
     InsSource source = InsSource::Auto;
-    std::string label;              ///< sensorLabel of the pose observations; empty: any
+    std::string label;              ///< sensorLabel of the pose observations; empty: the first met
     double maxGap = 0.5;            ///< s
     double maxExtrapolation = 0.15;  ///< s
     double minCourseDistance = 0.5;  ///< m
@@ -42,7 +42,7 @@ struct InsOptions
     static void visit(Self& self, Visitor&& field)
     {
         field(self.source, "source", "observations that give the pose of the vehicle");
-        field(self.label, "label", "sensorLabel of these observations; empty: any");
+        field(self.label, "label", "sensorLabel of these observations; empty: that of the first one");
         field(self.maxGap, "max_gap_s", 0.01, 10.0, "longest time between two poses that is bridged");
         field(self.maxExtrapolation, "max_extrapolation_s", 0.0, 1.0,
               "longest time before the first or after the last pose");
@@ -59,20 +59,29 @@ struct VehiclePose
     Eigen::Quaterniond attitude = Eigen::Quaterniond::Identity();
 };
 
-/// Sorted pose samples with interpolation (position: linear in the interval, or cubic Hermite
-/// where that is better; attitude: slerp). Memory is bounded by forgetBefore().
+/// The vehicle's path from its INS: cubic Hermite interpolation for the position (from the
+/// positions of the neighbours), spherical for the attitude. Memory is bounded by forgetBefore().
+///
+/// GPS positions without attitude take the course as heading: between the positions driven, at
+/// least minCourseDistance away, before and after; kept at standstill. So they hold for a vehicle
+/// that drives forwards, and roll and pitch are zero.
 class InsTrajectory
 {
 public:
     explicit InsTrajectory(InsOptions options);
+    ~InsTrajectory();
+    InsTrajectory(InsTrajectory&&) noexcept;
+    InsTrajectory& operator=(InsTrajectory&&) noexcept;
 
-    /// Takes pose samples from an observation; ignores all other objects. Duplicate times are
-    /// dropped, samples out of order are sorted in.
+    /// Takes pose samples from an observation or from those in a sensory frame; ignores all other
+    /// objects. Samples without time or with impossible numbers and duplicate times are dropped,
+    /// samples out of order are sorted in. Never throws on what is in an observation.
     void insert(const mrpt::serialization::CSerializable& object);
 
-    /// Pose at a time; nothing before the first sample, after the last one (beyond the allowed
-    /// extrapolation) or inside a gap.
-    std::optional<VehiclePose> at(double time) const;
+    /// Pose at a time; nothing before the first sample, after the last one or inside a gap (save
+    /// the allowed extrapolation at either side, which takes the speed of the interval before), and
+    /// nothing while the heading is unknown. The first call fixes the source.
+    std::optional<VehiclePose> at(double time);
 
     /// True when a sample at or after `time` has been inserted, so that waiting brings nothing.
     bool covers(double time) const;
@@ -82,19 +91,14 @@ public:
     /// What gives the poses, for the report: "CObservationRobotPose 'ins'"; empty if none yet.
     std::string sourceName() const;
     /// World origin: the first pose as the source gives it (m; or latitude, longitude in deg and
-    /// height in m for GPS), as text for the annotation.
+    /// height in m for GPS), as text for the annotation; empty if none yet.
     std::string originText() const;
     std::size_t samplesTaken() const;
     std::size_t samplesDropped() const;
 
 private:
-    struct Source
-    {
-        InsSource kind = InsSource::Auto;
-        std::deque<VehiclePose> samples;
-    };
-    InsOptions options_;
-    // Implementation may replace the private part.
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace vdamf

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gz_input.h"
+
+#include <zlib.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <stdexcept>
+#include <system_error>
+
+namespace vdamf
+{
+namespace
+{
+namespace fs = std::filesystem;
+
+constexpr std::size_t kInputBytes = 256 * 1024;
+constexpr std::size_t kHeaderBytes = 10;
+constexpr int kGzipWindowBits = 15 + 16;
+
+[[noreturn]] void fail(const fs::path& path, const std::string& what)
+{
+    throw std::runtime_error(path.string() + ": " + what);
+}
+
+/// The fixed part of a member's header (RFC 1952): magic, deflate, no reserved flag, and an extra
+/// flag and operating system that exist, so that chance hardly ever looks like one.
+bool looksLikeMember(const unsigned char* bytes)
+{
+    const bool magic = bytes[0] == 0x1f && bytes[1] == 0x8b && bytes[2] == 8;
+    const bool flags = (bytes[3] & 0xe0) == 0 && (bytes[8] == 0 || bytes[8] == 2 || bytes[8] == 4);
+    return magic && flags && (bytes[9] <= 13 || bytes[9] == 255);
+}
+}  // namespace
+
+void GzInput::EndInflate::operator()(z_stream_s* stream) const
+{
+    inflateEnd(stream);
+    delete stream;
+}
+
+GzInput::GzInput(const fs::path& path) : path_(path), input_(kInputBytes)
+{
+    std::error_code error;
+    if (fs::is_directory(path, error)) fail(path, "cannot read: this is a folder; name a rawlog");
+    file_.reset(std::fopen(path.c_str(), "rb"));
+    if (!file_) fail(path, "cannot read: " + std::system_category().message(errno));
+    // Blocks are large already; a buffer of stdio's would only copy them once more.
+    std::setvbuf(file_.get(), nullptr, _IONBF, 0);
+    const std::uintmax_t size = fs::file_size(path, error);
+    fileSize_ = error ? 0 : size;
+    if (!isGz()) return;
+    inflater_.reset(new z_stream_s{});
+    if (inflateInit2(inflater_.get(), kGzipWindowBits) != Z_OK)
+    {
+        fail(path, "cannot start gz decompression");
+    }
+}
+
+GzInput::~GzInput() = default;
+
+bool GzInput::isGz()
+{
+    constexpr std::size_t kMagicBytes = 3;
+    return require(kMagicBytes) && input_[0] == 0x1f && input_[1] == 0x8b && input_[2] == 8;
+}
+
+/// Makes at least so many compressed bytes available, if the file has them.
+bool GzInput::require(std::size_t bytes)
+{
+    if (available() >= bytes) return true;
+    std::memmove(input_.data(), input_.data() + begin_, available());
+    end_ -= begin_;
+    begin_ = 0;
+    while (end_ < bytes)
+    {
+        const std::size_t got =
+            std::fread(input_.data() + end_, 1, input_.size() - end_, file_.get());
+        if (got == 0 && std::ferror(file_.get()) != 0)
+        {
+            fail(path_, "cannot read: " + std::system_category().message(errno));
+        }
+        if (got == 0) return false;
+        end_ += got;
+        taken_ += got;
+    }
+    return true;
+}
+
+std::size_t GzInput::read(char* to, std::size_t room)
+{
+    std::size_t done = 0;
+    while (done < room && !finished_)
+    {
+        done += inflater_ ? inflateSome(to + done, room - done) : readPlain(to + done, room - done);
+    }
+    return done;
+}
+
+std::size_t GzInput::readPlain(char* to, std::size_t room)
+{
+    finished_ = !require(1);
+    const std::size_t size = std::min(room, available());
+    std::memcpy(to, input_.data() + begin_, size);
+    begin_ += size;
+    return size;
+}
+
+std::size_t GzInput::inflateSome(char* to, std::size_t room)
+{
+    if (!inMember_) beginMember();
+    if (finished_) return 0;
+    if (!require(1))
+    {
+        report("the gz stream ends early");
+        finished_ = true;
+        return 0;
+    }
+    z_stream_s& stream = *inflater_;
+    const std::size_t limited = std::min<std::size_t>(room, 1u << 30);
+    stream.next_in = input_.data() + begin_;
+    stream.avail_in = static_cast<uInt>(available());
+    stream.next_out = reinterpret_cast<Bytef*>(to);
+    stream.avail_out = static_cast<uInt>(limited);
+    const int status = inflate(&stream, Z_NO_FLUSH);
+    begin_ = end_ - stream.avail_in;
+    if (status == Z_STREAM_END) inMember_ = false;
+    if (status == Z_MEM_ERROR) throw std::bad_alloc();
+    if (status != Z_OK && status != Z_STREAM_END && status != Z_BUF_ERROR)
+    {
+        report(std::string("the gz stream is damaged (") +
+               (stream.msg != nullptr ? stream.msg : "no reason given") + ")");
+        findNextMember();
+    }
+    return limited - stream.avail_out;
+}
+
+/// At the begin of the file or behind a member: another one, or the end.
+void GzInput::beginMember()
+{
+    if (!require(1))
+    {
+        finished_ = true;
+        return;
+    }
+    const bool isMember = require(2) && input_[begin_] == 0x1f && input_[begin_ + 1] == 0x8b;
+    if (isMember)
+    {
+        inflateReset(inflater_.get());
+        inMember_ = true;
+        return;
+    }
+    report("there are bytes behind the gz stream that are none of it");
+    findNextMember();
+}
+
+void GzInput::findNextMember()
+{
+    inMember_ = false;
+    while (require(kHeaderBytes))
+    {
+        for (; available() >= kHeaderBytes; ++begin_)
+        {
+            if (!looksLikeMember(input_.data() + begin_)) continue;
+            report("reading goes on");
+            inflateReset(inflater_.get());
+            inMember_ = true;
+            return;
+        }
+    }
+    finished_ = true;
+}
+
+void GzInput::report(const std::string& what)
+{
+    constexpr std::size_t kEnough = 500;
+    if (problem_.size() > kEnough) return;
+    if (!problem_.empty()) problem_ += "; ";
+    problem_ += what + " at byte " + std::to_string(taken_ - available()) + " of the file";
+}
+
+double GzInput::progress() const
+{
+    if (fileSize_ == 0) return 0.0;
+    const auto ahead = static_cast<double>(available());
+    return std::min(1.0, (static_cast<double>(taken_) - ahead) / static_cast<double>(fileSize_));
+}
+
+}  // namespace vdamf

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pose_samples.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vdamf
+{
+namespace
+{
+// The course at a sample looks back to positions this much older at most.
+constexpr double kCourseMemory = 3.0;
+
+bool earlier(const PoseSample& sample, double time) { return sample.time < time; }
+
+/// Derivative at the middle one of three points on a parabola.
+Eigen::Vector3d slopeAt(const PoseSample& a, const PoseSample& middle, const PoseSample& b)
+{
+    const double before = middle.time - a.time;
+    const double after = b.time - middle.time;
+    const Eigen::Vector3d in = (middle.position - a.position) / before;
+    const Eigen::Vector3d out = (b.position - middle.position) / after;
+    return (in * after + out * before) / (before + after);
+}
+
+Eigen::Vector3d slope(const PoseSample& a, const PoseSample& b)
+{
+    return (b.position - a.position) / (b.time - a.time);
+}
+
+double headingOf(const Eigen::Vector3d& direction)
+{
+    return std::atan2(direction.y(), direction.x());
+}
+
+Eigen::Quaterniond fromHeading(double heading)
+{
+    return Eigen::Quaterniond(Eigen::AngleAxisd(heading, Eigen::Vector3d::UnitZ()));
+}
+}  // namespace
+
+bool PoseSamples::insert(const PoseSample& sample)
+{
+    const auto place = std::lower_bound(samples_.begin(), samples_.end(), sample.time, earlier);
+    if (place != samples_.end() && place->time == sample.time) return false;
+    const bool newest = place == samples_.end();
+    samples_.insert(place, sample);
+    if (newest && !sample.attitude)
+    {
+        if (const auto course = courseOf(samples_.size() - 1)) lastCourse_ = course;
+    }
+    return true;
+}
+
+void PoseSamples::forgetBefore(double time)
+{
+    // Two samples before the interval give its velocity; more, the course.
+    while (samples_.size() > 3 && samples_[3].time < time &&
+           (samples_.front().attitude || samples_.front().time < time - kCourseMemory))
+    {
+        samples_.pop_front();
+    }
+}
+
+/// Whether the interval before sample i is one to look across.
+bool PoseSamples::connected(std::size_t i) const
+{
+    return i > 0 && i < samples_.size() &&
+           samples_[i].time - samples_[i - 1].time <= options_.maxGap;
+}
+
+std::optional<VehiclePose> PoseSamples::at(double time) const
+{
+    const auto place = std::lower_bound(samples_.begin(), samples_.end(), time, earlier);
+    const auto i = static_cast<std::size_t>(place - samples_.begin());
+    if (place != samples_.end() && place->time == time)
+    {
+        const auto attitude = attitudeOf(i);
+        if (!attitude) return std::nullopt;
+        return poseOf(time, place->position, *attitude, i);
+    }
+    const std::size_t count = samples_.size();
+    if (connected(i)) return interpolated(i, time);
+    if (i >= 2 && connected(i - 1))
+    {
+        if (auto pose = extrapolated(i - 1, i - 2, time)) return pose;
+    }
+    if (i < count && connected(i + 1)) return extrapolated(i, i + 1, time);
+    return std::nullopt;
+}
+
+/// In the interval before sample i.
+std::optional<VehiclePose> PoseSamples::interpolated(std::size_t i, double time) const
+{
+    const PoseSample& a = samples_[i - 1];
+    const PoseSample& b = samples_[i];
+    const auto from = attitudeOf(i - 1);
+    const auto to = attitudeOf(i);
+    if (!from || !to) return std::nullopt;
+    const double h = b.time - a.time;
+    const double s = (time - a.time) / h;
+    // Cubic Hermite.
+    const double r = 1.0 - s;
+    const Eigen::Vector3d position = r * r * (1.0 + 2.0 * s) * a.position +
+                                     s * s * (1.0 + 2.0 * r) * b.position +
+                                     h * s * r * (r * velocityOf(i - 1) - s * velocityOf(i));
+    return poseOf(time, position, from->slerp(s, *to), i);
+}
+
+/// Beyond sample `from`, away from its neighbour `other`, with the motion between the two.
+std::optional<VehiclePose> PoseSamples::extrapolated(std::size_t from, std::size_t other,
+                                                     double time) const
+{
+    const PoseSample& a = samples_[other];
+    const PoseSample& b = samples_[from];
+    if (std::abs(time - b.time) > options_.maxExtrapolation) return std::nullopt;
+    const auto before = attitudeOf(other);
+    const auto last = attitudeOf(from);
+    if (!before || !last) return std::nullopt;
+    const double steps = (time - b.time) / (b.time - a.time);
+    Eigen::AngleAxisd turn(before->conjugate() * *last);
+    if (turn.angle() > std::acos(-1.0)) turn.angle() -= 2.0 * std::acos(-1.0);
+    turn.angle() *= steps;
+    return poseOf(time, b.position + steps * (b.position - a.position),
+                  *last * Eigen::Quaterniond(turn), from);
+}
+
+VehiclePose PoseSamples::poseOf(double time, const Eigen::Vector3d& position,
+                                const Eigen::Quaterniond& attitude, std::size_t like) const
+{
+    return {time, position - attitude * samples_[like].antenna, attitude.normalized()};
+}
+
+Eigen::Vector3d PoseSamples::velocityOf(std::size_t i) const
+{
+    const bool before = connected(i);
+    const bool after = connected(i + 1);
+    if (before && after) return slopeAt(samples_[i - 1], samples_[i], samples_[i + 1]);
+    // At an end: that of the parabola through the three samples there.
+    if (after && connected(i + 2))
+    {
+        return 2.0 * slope(samples_[i], samples_[i + 1]) -
+               slopeAt(samples_[i], samples_[i + 1], samples_[i + 2]);
+    }
+    if (before && connected(i - 1))
+    {
+        return 2.0 * slope(samples_[i - 1], samples_[i]) -
+               slopeAt(samples_[i - 2], samples_[i - 1], samples_[i]);
+    }
+    return after ? slope(samples_[i], samples_[i + 1]) : slope(samples_[i - 1], samples_[i]);
+}
+
+std::optional<Eigen::Quaterniond> PoseSamples::attitudeOf(std::size_t i) const
+{
+    if (samples_[i].attitude) return samples_[i].attitude;
+    const auto course = courseOf(i);
+    if (course) return fromHeading(*course);
+    if (lastCourse_) return fromHeading(*lastCourse_);
+    return std::nullopt;
+}
+
+std::optional<double> PoseSamples::courseOf(std::size_t i) const
+{
+    const auto before = drivenBefore(i);
+    const auto after = drivenAfter(i);
+    if (before && after)
+    {
+        return headingOf(slopeAt(samples_[*before], samples_[i], samples_[*after]));
+    }
+    if (before) return headingOf(slope(samples_[*before], samples_[i]));
+    if (after) return headingOf(slope(samples_[i], samples_[*after]));
+    return std::nullopt;
+}
+
+/// The newest sample before i from where the vehicle has driven far enough, without a gap.
+std::optional<std::size_t> PoseSamples::drivenBefore(std::size_t i) const
+{
+    for (std::size_t k = i; connected(k); --k)
+    {
+        const Eigen::Vector3d driven = samples_[i].position - samples_[k - 1].position;
+        if (samples_[i].time - samples_[k - 1].time > kCourseMemory) return std::nullopt;
+        if (driven.head<2>().norm() >= options_.minCourseDistance) return k - 1;
+    }
+    return std::nullopt;
+}
+
+std::optional<std::size_t> PoseSamples::drivenAfter(std::size_t i) const
+{
+    for (std::size_t k = i + 1; connected(k); ++k)
+    {
+        const Eigen::Vector3d driven = samples_[k].position - samples_[i].position;
+        if (samples_[k].time - samples_[i].time > kCourseMemory) return std::nullopt;
+        if (driven.head<2>().norm() >= options_.minCourseDistance) return k;
+    }
+    return std::nullopt;
+}
+
+}  // namespace vdamf

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vdamf/rawlog/scan.h"
+
+#include <mrpt/core/Clock.h>
+#include <mrpt/maps/CPointsMapXYZI.h>
+#include <mrpt/obs/CObservationPointCloud.h>
+#include <mrpt/obs/CObservationVelodyneScan.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "object_parser.h"
+#include "vdamf/rawlog/velodyne_packets.h"
+
+namespace vdamf
+{
+namespace
+{
+using mrpt::obs::CObservationPointCloud;
+using mrpt::obs::CObservationVelodyneScan;
+
+/// Loads the points of an observation that keeps them in a file of their own, for a while.
+class LoadedExternal
+{
+public:
+    explicit LoadedExternal(const CObservationPointCloud& observation) : observation_(observation)
+    {
+        if (observation_.isExternallyStored()) observation_.load();
+    }
+    ~LoadedExternal()
+    {
+        // unload() writes the file where it is missing, but then load() has thrown before.
+        if (observation_.isExternallyStored()) observation_.unload();
+    }
+    LoadedExternal(const LoadedExternal&) = delete;
+    LoadedExternal& operator=(const LoadedExternal&) = delete;
+
+private:
+    const CObservationPointCloud& observation_;
+};
+
+PointCloud pointsOf(const mrpt::maps::CPointsMap& map)
+{
+    PointCloud cloud;
+    cloud.x.assign(map.getPointsBufferRef_x().begin(), map.getPointsBufferRef_x().end());
+    cloud.y.assign(map.getPointsBufferRef_y().begin(), map.getPointsBufferRef_y().end());
+    cloud.z.assign(map.getPointsBufferRef_z().begin(), map.getPointsBufferRef_z().end());
+    if (const auto* withIntensity = dynamic_cast<const mrpt::maps::CPointsMapXYZI*>(&map))
+    {
+        cloud.intensity.reserve(cloud.size());
+        for (std::size_t i = 0; i < cloud.size(); ++i)
+        {
+            cloud.intensity.push_back(withIntensity->getPointIntensity_fast(i));
+        }
+    }
+    return cloud;
+}
+
+PointCloud cloudOf(const CObservationPointCloud& observation)
+{
+    const LoadedExternal loaded(observation);
+    if (!observation.pointcloud) throw std::runtime_error("it has no point cloud");
+    return pointsOf(*observation.pointcloud);
+}
+
+/// Sensors without a return at a point write zeros or NaN.
+bool isReturn(float x, float y, float z)
+{
+    return std::isfinite(x) && std::isfinite(y) && std::isfinite(z) &&
+           (x != 0.0F || y != 0.0F || z != 0.0F);
+}
+
+/// Moves the returns from the sensor's frame to the vehicle's, and drops what is none.
+PointCloud returnsInVehicle(PointCloud cloud, const mrpt::poses::CPose3D& sensorPose)
+{
+    const Eigen::Matrix3d r = sensorPose.getRotationMatrix().asEigen();
+    const Eigen::Vector3d t(sensorPose.x(), sensorPose.y(), sensorPose.z());
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < cloud.size(); ++i)
+    {
+        if (!isReturn(cloud.x[i], cloud.y[i], cloud.z[i])) continue;
+        const Eigen::Vector3d inSensor(cloud.x[i], cloud.y[i], cloud.z[i]);
+        const Eigen::Vector3f p = (r * inSensor + t).cast<float>();
+        cloud.x[kept] = p.x();
+        cloud.y[kept] = p.y();
+        cloud.z[kept] = p.z();
+        if (!cloud.intensity.empty()) cloud.intensity[kept] = cloud.intensity[i];
+        if (!cloud.time.empty()) cloud.time[kept] = cloud.time[i];
+        ++kept;
+    }
+    for (auto* values : {&cloud.x, &cloud.y, &cloud.z, &cloud.intensity, &cloud.time})
+    {
+        if (!values->empty()) values->resize(kept);
+    }
+    return cloud;
+}
+
+bool isFinite(const mrpt::poses::CPose3D& pose)
+{
+    return std::isfinite(pose.x() + pose.y() + pose.z() + pose.yaw() + pose.pitch() + pose.roll());
+}
+
+Scan scanOf(const mrpt::obs::CObservation& observation, PointCloud cloud)
+{
+    if (observation.timestamp == INVALID_TIMESTAMP) throw std::runtime_error("it has no time");
+    const mrpt::poses::CPose3D sensorPose = observation.sensorPose();
+    if (!isFinite(sensorPose)) throw std::runtime_error("its sensor pose is not finite");
+    Scan scan;
+    scan.time = mrpt::Clock::toDouble(observation.timestamp);
+    scan.sensorLabel = observation.sensorLabel;
+    scan.sensorInVehicle = {sensorPose.x(), sensorPose.y(), sensorPose.z()};
+    scan.points = returnsInVehicle(std::move(cloud), sensorPose);
+    return scan;
+}
+}  // namespace
+
+bool isScan(const mrpt::obs::CObservation& observation)
+{
+    return dynamic_cast<const CObservationPointCloud*>(&observation) != nullptr ||
+           dynamic_cast<const CObservationVelodyneScan*>(&observation) != nullptr;
+}
+
+std::optional<Scan> scanFrom(const mrpt::obs::CObservation& observation)
+{
+    try
+    {
+        if (const auto* cloud = dynamic_cast<const CObservationPointCloud*>(&observation))
+        {
+            return scanOf(observation, cloudOf(*cloud));
+        }
+        if (const auto* velodyne = dynamic_cast<const CObservationVelodyneScan*>(&observation))
+        {
+            return scanOf(observation, decodeVelodyne(*velodyne));
+        }
+        return std::nullopt;
+    }
+    catch (const std::exception& error)
+    {
+        throw std::runtime_error(std::string(observation.GetRuntimeClass()->className) + " '" +
+                                 observation.sensorLabel + "': " + shortMessage(error.what()));
+    }
+}
+
+}  // namespace vdamf

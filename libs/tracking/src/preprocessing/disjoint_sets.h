@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Union-find over numbered elements; the root of a set is its smallest element.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <vector>
+
+namespace vdamf
+{
+class DisjointSets
+{
+public:
+    explicit DisjointSets(std::size_t elements) : parent_(elements)
+    {
+        std::iota(parent_.begin(), parent_.end(), std::uint32_t{0});
+    }
+
+    std::uint32_t root(std::uint32_t element)
+    {
+        while (parent_[element] != element)
+        {
+            parent_[element] = parent_[parent_[element]];
+            element = parent_[element];
+        }
+        return element;
+    }
+
+    void unite(std::uint32_t a, std::uint32_t b)
+    {
+        a = root(a);
+        b = root(b);
+        if (a < b) parent_[b] = a;
+        if (b < a) parent_[a] = b;
+    }
+
+private:
+    std::vector<std::uint32_t> parent_;
+};
+
+}  // namespace vdamf

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "preprocessing/ground_plane.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace vdamf
+{
+namespace
+{
+constexpr float kSearchRange = 25.0F;  // m
+constexpr int kSectorsAtOnce = 4;      // one low hit from these, for speed and robustness
+constexpr std::size_t kLeastSupport = 12;
+constexpr float kBin = 0.1F;  // of the histogram over heights, m
+
+struct LowPoint
+{
+    float x, y, z;
+};
+
+// The second lowest hit of a cell, where it has one, is less likely to be an outlier.
+std::vector<LowPoint> lowPointsNearby(const PolarHits& hits, const PolarGrid& grid,
+                                      const std::vector<LowHits>& lowHits)
+{
+    const int rings =
+        std::min(grid.rings, static_cast<int>(PolarGrid::coordinate(kSearchRange)) + 1);
+    std::vector<LowPoint> points;
+    for (int sector = 0; sector < PolarGrid::kSectors; sector += kSectorsAtOnce)
+    {
+        for (int ring = 0; ring < rings; ++ring)
+        {
+            std::int32_t best = -1;
+            for (int s = sector; s < sector + kSectorsAtOnce; ++s)
+            {
+                const LowHits& low = lowHits[static_cast<std::size_t>(grid.cell(s, ring))];
+                const std::int32_t i = low.secondIndex >= 0 ? low.secondIndex : low.index;
+                if (i < 0) continue;
+                if (best < 0 || hits.z[static_cast<std::size_t>(i)] <
+                                    hits.z[static_cast<std::size_t>(best)])
+                    best = i;
+            }
+            if (best < 0) continue;
+            const auto i = static_cast<std::size_t>(best);
+            points.push_back({hits.x[i], hits.y[i], hits.z[i]});
+        }
+    }
+    return points;
+}
+
+struct Candidate
+{
+    GroundPlane plane;
+    float score = 0.0F;
+};
+
+// The best height for the slope: many points in three bins, few below them (a LADAR does not see
+// through the ground, but a mirror or the edge of a slope shows some).
+Candidate bestHeight(const std::vector<LowPoint>& points, float slopeX, float slopeY,
+                     const GroundOptions& options)
+{
+    constexpr int kMaxBins = 256;
+    std::array<int, kMaxBins> histogram{};
+    const auto bottom = static_cast<float>(-options.maxSensorHeight) - 2.0F * kBin;
+    const auto top = static_cast<float>(-options.minSensorHeight);
+    const int bins = std::clamp(static_cast<int>((top - bottom) / kBin) + 2, 4, kMaxBins);
+    const auto lastBin = static_cast<float>(bins - 1);
+    for (const LowPoint& p : points)
+    {
+        const float z = p.z - slopeX * p.x - slopeY * p.y;
+        const float bin = std::clamp((z - bottom) / kBin, 0.0F, lastBin);
+        ++histogram[static_cast<std::size_t>(bin)];
+    }
+    Candidate best;
+    int below = histogram[0];
+    for (int bin = 1; bin + 3 < bins; ++bin)
+    {
+        const auto at = static_cast<std::size_t>(bin);
+        const int inside = histogram[at] + histogram[at + 1] + histogram[at + 2];
+        const float score = static_cast<float>(inside) - 0.5F * static_cast<float>(below);
+        if (score > best.score)
+        {
+            const float height = bottom + (static_cast<float>(bin) + 1.5F) * kBin;
+            best = {{height, slopeX, slopeY}, score};
+        }
+        below += histogram[at];
+    }
+    return best;
+}
+
+// A slope has to be better than a flatter one by 2 %, so that few hits do not tilt the plane.
+Candidate bestPlane(const std::vector<LowPoint>& points, const GroundOptions& options)
+{
+    constexpr int kSteps = 3;
+    constexpr float kStep = 0.05F;
+    Candidate best;
+    for (int level = 0; level <= kSteps; ++level)
+    {
+        for (int i = -level; i <= level; ++i)
+        {
+            for (int j = -level; j <= level; ++j)
+            {
+                if (std::max(std::abs(i), std::abs(j)) != level) continue;
+                const Candidate c = bestHeight(points, static_cast<float>(i) * kStep,
+                                               static_cast<float>(j) * kStep, options);
+                if (c.score > 1.02F * best.score) best = c;
+            }
+        }
+    }
+    return best;
+}
+
+// Least squares, reweighted with a biweight whose width shrinks; a weak tie to the slope of the
+// start keeps frames with one circle on the ground or a narrow view from turning over.
+GroundPlane refine(const std::vector<LowPoint>& points, const GroundPlane& start)
+{
+    GroundPlane plane = start;
+    for (const float width : {0.6F, 0.45F, 0.3F, 0.25F, 0.25F})
+    {
+        Eigen::Matrix3f a = Eigen::Vector3f(1e-3F, 50.0F, 50.0F).asDiagonal();
+        Eigen::Vector3f b(0.0F, 50.0F * (start.slopeX - plane.slopeX),
+                          50.0F * (start.slopeY - plane.slopeY));
+        for (const LowPoint& p : points)
+        {
+            const float e = p.z - plane.at(p.x, p.y);
+            if (std::abs(e) >= width) continue;
+            const float u = e / width;
+            const float w = (1.0F - u * u) * (1.0F - u * u);
+            const Eigen::Vector3f h(1.0F, p.x, p.y);
+            a += w * h * h.transpose();
+            b += w * e * h;
+        }
+        const Eigen::Vector3f step = a.ldlt().solve(b);
+        plane = {plane.height + step[0], plane.slopeX + step[1], plane.slopeY + step[2]};
+    }
+    return plane;
+}
+}  // namespace
+
+std::optional<GroundPlane> findGroundPlane(const PolarHits& hits, const PolarGrid& grid,
+                                           const std::vector<LowHits>& lowHits,
+                                           const GroundOptions& options)
+{
+    const std::vector<LowPoint> points = lowPointsNearby(hits, grid, lowHits);
+    const Candidate best = bestPlane(points, options);
+    if (best.score < static_cast<float>(kLeastSupport)) return std::nullopt;
+    return refine(points, best.plane);
+}
+
+}  // namespace vdamf

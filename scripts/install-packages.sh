@@ -1,0 +1,19 @@
+#!/usr/bin/env bash
+# Installs the Debian or Ubuntu packages that the build needs (packages.txt), if any is missing.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+missing=()
+while read -r package; do
+    dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q '^install ok installed' ||
+        missing+=("$package")
+done < packages.txt
+[ ${#missing[@]} -eq 0 ] && exit 0
+echo "installing: ${missing[*]}"
+sudo=()
+if [ "$(id -u)" -ne 0 ]; then
+    command -v sudo >/dev/null || { echo "needs root or sudo to install: ${missing[*]}" >&2; exit 1; }
+    sudo=(sudo)
+fi
+export DEBIAN_FRONTEND=noninteractive
+"${sudo[@]}" apt-get update -q
+"${sudo[@]}" apt-get install -q -y --no-install-recommends "${missing[@]}"

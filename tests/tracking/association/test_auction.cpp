@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vdamf/tracking/association/auction.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+namespace vdamf
+{
+namespace
+{
+// A line of hits from a to b.
+Hits line(const Eigen::Vector2d& a, const Eigen::Vector2d& b, int count = 20)
+{
+    Hits hits;
+    for (int k = 0; k < count; ++k)
+    {
+        const Eigen::Vector2d p = a + (b - a) * k / std::max(1, count - 1);
+        hits.x.push_back(p.x());
+        hits.y.push_back(p.y());
+        hits.weight.push_back(1.0);
+        hits.totalWeight += 1.0;
+    }
+    return hits;
+}
+
+PredictedTarget car(double x, double y, double sigma = 0.2)
+{
+    return {{x, y, 0.0, 4.5, 1.8}, sigma, 0.1, 0.1};
+}
+
+using Assignment = std::vector<std::vector<std::size_t>>;
+
+TEST(AssignClusters, OneTargetTakesSeveralConsistentClusters)
+{
+    const std::vector<Hits> clusters{line({8.0, -0.9}, {9.0, -0.9}), line({11.0, -0.9}, {12.2, -0.9}),
+                                     line({30.0, 0.0}, {31.0, 0.0})};
+    EXPECT_EQ(assignClusters({car(10.0, 0.0)}, clusters, {}), (Assignment{{0, 1}}));
+}
+
+TEST(AssignClusters, RefusesAUnionBeyondTheBox)
+{
+    // The second cluster alone would pass, but car and bush together are too long.
+    const std::vector<Hits> clusters{line({7.8, -0.9}, {12.2, -0.9}, 40),
+                                     line({12.9, -0.5}, {13.3, -0.5}, 6)};
+    EXPECT_EQ(assignClusters({car(10.0, 0.0, 0.4)}, clusters, {}), (Assignment{{0}}));
+}
+
+TEST(AssignClusters, RefusedClusterGoesToItsSecondChoice)
+{
+    // Two cars end to end; the middle cluster prefers the left one, where it does not fit.
+    const std::vector<PredictedTarget> targets{car(10.0, 0.0), car(15.6, 0.0, 0.6)};
+    const std::vector<Hits> clusters{line({7.6, 0.0}, {12.0, 0.0}, 60),
+                                     line({12.7, 0.0}, {13.1, 0.0}, 10),
+                                     line({14.0, 0.0}, {17.0, 0.0}, 60)};
+    const Assignment a = assignClusters(targets, clusters, {});
+    EXPECT_EQ(a[0], (std::vector<std::size_t>{0}));
+    EXPECT_EQ(a[1], (std::vector<std::size_t>{1, 2}));
+}
+
+TEST(AssignClusters, PreciseTargetWinsOverVague)
+{
+    const std::vector<PredictedTarget> targets{car(10.5, 0.0, 3.0), car(10.0, 0.0, 0.1)};
+    EXPECT_EQ(assignClusters(targets, {line({8.0, -0.8}, {12.0, -0.8})}, {}), (Assignment{{}, {0}}));
+}
+
+TEST(AssignClusters, NothingIsWithinReach)
+{
+    EXPECT_EQ(assignClusters({car(0.0, 0.0)}, {line({20.0, 0.0}, {21.0, 0.0})}, {}), (Assignment{{}}));
+    EXPECT_EQ(assignClusters({}, {line({0, 0}, {1, 0})}, {}), Assignment{});
+    EXPECT_EQ(assignClusters({car(0.0, 0.0)}, {}, {}), (Assignment{{}}));
+}
+
+TEST(AssignClusters, DoesNotDependOnTheOrderOfTargets)
+{
+    std::mt19937 generator(4);
+    const auto uniform = [&](double a, double b)
+    { return a + (b - a) * static_cast<double>(generator()) / 4294967295.0; };
+    for (int round = 0; round < 50; ++round)
+    {
+        std::vector<PredictedTarget> targets;
+        std::vector<Hits> clusters;
+        for (int k = 0; k < 6; ++k)
+        {
+            const double x = uniform(0, 20);
+            const double y = uniform(0, 10);
+            targets.push_back(car(x, y, uniform(0.1, 0.5)));
+            clusters.push_back(line({x - 1.0, y}, {x + uniform(0, 1.5), y}));
+            clusters.push_back(line({x + uniform(-2, 2), y}, {x + 2, y + 0.2}));
+        }
+        const Assignment forward = assignClusters(targets, clusters, {});
+        std::reverse(targets.begin(), targets.end());
+        Assignment backward = assignClusters(targets, clusters, {});
+        std::reverse(backward.begin(), backward.end());
+        EXPECT_EQ(forward, backward) << round;
+        std::vector<int> owners(clusters.size(), 0);
+        for (const auto& taken : forward)
+            for (const std::size_t i : taken) ++owners[i];
+        EXPECT_LE(*std::max_element(owners.begin(), owners.end()), 1);
+    }
+}
+
+}  // namespace
+}  // namespace vdamf
