@@ -11,7 +11,10 @@ namespace
 // The course at a sample looks back to positions this much older at most.
 constexpr double kCourseMemory = 3.0;
 
-bool earlier(const PoseSample& sample, double time) { return sample.time < time; }
+bool earlier(const PoseSample& sample, double time)
+{
+    return sample.time < time;
+}
 
 /// Derivative at the middle one of three points on a parabola.
 Eigen::Vector3d slopeAt(const PoseSample& a, const PoseSample& middle, const PoseSample& b)
@@ -119,7 +122,6 @@ std::optional<VehiclePose> PoseSamples::extrapolated(std::size_t from, std::size
     if (!before || !last) return std::nullopt;
     const double steps = (time - b.time) / (b.time - a.time);
     Eigen::AngleAxisd turn(before->conjugate() * *last);
-    if (turn.angle() > std::acos(-1.0)) turn.angle() -= 2.0 * std::acos(-1.0);
     turn.angle() *= steps;
     return poseOf(time, b.position + steps * (b.position - a.position),
                   *last * Eigen::Quaterniond(turn), from);

@@ -13,10 +13,10 @@ namespace vdamf
 /// What one observation says. Without an attitude, `position` is that of the antenna.
 struct PoseSample
 {
-    double time = 0.0;                                    ///< s (UNIX)
-    Eigen::Vector3d position = Eigen::Vector3d::Zero();   ///< in the world, m
-    std::optional<Eigen::Quaterniond> attitude;           ///< of the vehicle
-    Eigen::Vector3d antenna = Eigen::Vector3d::Zero();    ///< in the vehicle, m
+    double time = 0.0;                                   ///< s (UNIX)
+    Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< in the world, m
+    std::optional<Eigen::Quaterniond> attitude;          ///< of the vehicle
+    Eigen::Vector3d antenna = Eigen::Vector3d::Zero();   ///< in the vehicle, m
 };
 
 class PoseSamples
@@ -31,7 +31,6 @@ public:
     bool covers(double time) const { return !empty() && samples_.back().time >= time; }
     /// Keeps what at() needs from this time on.
     void forgetBefore(double time);
-    void clear() { samples_.clear(); }
 
 private:
     bool connected(std::size_t i) const;

@@ -24,21 +24,32 @@ using mrpt::obs::CObservationVelodyneScan;
 class LoadedExternal
 {
 public:
-    explicit LoadedExternal(const CObservationPointCloud& observation) : observation_(observation)
+    explicit LoadedExternal(const CObservationPointCloud& observation)
+        : observation_(observation),
+          loadedHere_(observation.isExternallyStored() && !observation.pointcloud)
     {
-        if (observation_.isExternallyStored()) observation_.load();
+        if (loadedHere_) observation_.load();
     }
     ~LoadedExternal()
     {
         // unload() writes the file where it is missing, but then load() has thrown before.
-        if (observation_.isExternallyStored()) observation_.unload();
+        if (loadedHere_) observation_.unload();
     }
     LoadedExternal(const LoadedExternal&) = delete;
     LoadedExternal& operator=(const LoadedExternal&) = delete;
 
 private:
     const CObservationPointCloud& observation_;
+    bool loadedHere_;
 };
+
+/// MRPT does not say which range intensities have; what is above 1 is 0..255.
+void scaleToOne(std::vector<float>& intensity)
+{
+    const auto above = [](float value) { return value > 1.0F; };
+    if (std::none_of(intensity.begin(), intensity.end(), above)) return;
+    for (float& value : intensity) value /= 255.0F;
+}
 
 PointCloud pointsOf(const mrpt::maps::CPointsMap& map)
 {
@@ -53,6 +64,7 @@ PointCloud pointsOf(const mrpt::maps::CPointsMap& map)
         {
             cloud.intensity.push_back(withIntensity->getPointIntensity_fast(i));
         }
+        scaleToOne(cloud.intensity);
     }
     return cloud;
 }
@@ -104,7 +116,7 @@ bool isFinite(const mrpt::poses::CPose3D& pose)
 Scan scanOf(const mrpt::obs::CObservation& observation, PointCloud cloud)
 {
     if (observation.timestamp == INVALID_TIMESTAMP) throw std::runtime_error("it has no time");
-    const mrpt::poses::CPose3D sensorPose = observation.sensorPose();
+    const mrpt::poses::CPose3D sensorPose(observation.sensorPose());
     if (!isFinite(sensorPose)) throw std::runtime_error("its sensor pose is not finite");
     Scan scan;
     scan.time = mrpt::Clock::toDouble(observation.timestamp);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <stdexcept>
 
 #include "vdamf/rawlog/velodyne_packets.h"
 #include "vdamf/tracking/types/geometry.h"
@@ -198,6 +199,10 @@ std::vector<double> packetTimes(const Scan& scan, const VelodyneLayout& layout)
 PointCloud storedCloud(const Scan& scan)
 {
     const Scan::TPointCloud& stored = scan.point_cloud;
+    if (stored.y.size() != stored.x.size() || stored.z.size() != stored.x.size())
+    {
+        throw std::runtime_error("the coordinates of its points differ in number");
+    }
     PointCloud cloud;
     cloud.x = stored.x;
     cloud.y = stored.y;

@@ -144,11 +144,12 @@ Quality measure(const std::filesystem::path& drive)
             for (size_t i = 0; i < frame.points.size(); ++i)
                 frame.points.z[i] += float(sl) * (frame.points.x[i] - 0.4F * frame.points.y[i]);
         if (mode && strchr(mode, 'm'))
-            for (size_t i = 0, n = frame.points.size(); i < n; i += 53)
+            for (size_t i = 0, n = frame.points.size(); i < n; i += 20)
             {
+                if (frame.points.z[i] < -1.4F) continue;
                 frame.points.x.push_back(frame.points.x[i]);
                 frame.points.y.push_back(frame.points.y[i]);
-                frame.points.z.push_back(-1.9F - std::abs(frame.points.z[i]+1.73F));
+                frame.points.z.push_back(-3.46F - frame.points.z[i]);
             }
         frame.origin = frame.sensor = {731.0, -2500.0, 114.0};
         const AboveGround above = removeGround(frame, {});

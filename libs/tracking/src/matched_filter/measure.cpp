@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "matched_filter/face_extent.h"
 #include "vdamf/tracking/matched_filter/covariance.h"
 #include "vdamf/tracking/matched_filter/match_response.h"
 
@@ -92,6 +93,7 @@ Measurement measureTarget(const Hits& hits, const Eigen::Vector2d& sensor,
     m.converged = fit.converged;
     m.facesSeen = facesSeen(hits, m.box, sensor, options);
     m.covariance = fitCovariance(hits, steps.back(), m.box, fit.phi, options.hitSigma);
+    if (options.reachOverHits) m.box = reachingOverHits(hits, m.box, m.facesSeen, sensor);
     return m;
 }
 

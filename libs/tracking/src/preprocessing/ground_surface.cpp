@@ -19,7 +19,7 @@ static const float kSlopeNoise = env("SN",0.008F)*env("SN",0.008F);    // 1 / m
 static const float kLateralNoise = env("LN",0.05F)*env("LN",0.05F);    // m^2 / m, across the sectors
 static const float kHitVariance = env("HV",0.04F)*env("HV",0.04F);     // of a low hit, m^2
 static const float kGate=env("GA",3);                     // standard deviations
-static const float kMaxGateUp=env("GU",0.4F);static const float kUp=env("UP",0);                // an object's side begins here, m
+static const float kMaxGateUp=env("GU",0.4F);static const float kDn=env("DN",0),kNear=env("NC",0),kGD=env("GD",9);static const float kUp=env("UP",0);                // an object's side begins here, m
 static const float kStartVariance = env("SV",0.1F)*env("SV",0.1F);     // of the plane, m^2
 static const float kStartSlope = env("SS",0.03F)*env("SS",0.03F);
 constexpr float kUnseen = std::numeric_limits<float>::quiet_NaN();
@@ -48,7 +48,7 @@ inline void observe(Profile& p, float height)
 {
     const float error = height - p.height;
     const float e2 = std::max(0.0F, error);
-    const float gain = 1.0F / (p.hh + kHitVariance+kUp*e2*e2);
+    const float gain = 1.0F / (p.hh + kHitVariance+kUp*e2*e2+kDn*std::min(0.F,error)*std::min(0.F,error));
     const float kh = p.hh * gain;
     const float ks = p.hs * gain;
     p.height += kh * error;
@@ -79,7 +79,7 @@ bool insideGate(const Profile& p, const GroundHit& hit)
     if (!hit.seen()) return false;
     const float gate = kGate * std::sqrt(p.hh + kHitVariance);
     const float error = hit.height - p.height;
-    return error > -gate && error < std::min(gate, kMaxGateUp);
+    return error > -std::min(gate,kGD) && error < std::min(gate, kMaxGateUp);
 }
 
 // Moves the profile of one cell's inner edge to its outer edge, over the lowest of the cell's low
@@ -88,6 +88,17 @@ GroundHit crossCell(Profile& p, const LowHits& low, const PolarHits& hits,
                     const GroundPlane& plane, float innerRange, float outerRange)
 {
     float at = innerRange;
+    if (kNear>0 && low.secondIndex>=0){
+     const GroundHit a=groundHitAt(hits,plane,low.index),b=groundHitAt(hits,plane,low.secondIndex);
+     const bool in = b.height-a.height>kNear; 
+        const GroundHit hit = in?b:a;
+        Profile q=p;
+        advance(q, hit.range - at);
+        if (insideGate(q, hit)) {
+        observe(q, hit.height);
+        advance(q, outerRange - hit.range);p=q;
+        return hit;}
+    }
     for (const std::int32_t index : {low.index, low.secondIndex})
     {
         const GroundHit hit = groundHitAt(hits, plane, index);

@@ -26,15 +26,17 @@ struct EnumNames<InsSource>
 {
     static std::vector<std::pair<InsSource, const char*>> names()
     {
-        return {{InsSource::Auto, "auto"}, {InsSource::RobotPose, "robot_pose"}, {InsSource::Gps, "gps"}};
+        return {{InsSource::Auto, "auto"},
+                {InsSource::RobotPose, "robot_pose"},
+                {InsSource::Gps, "gps"}};
     }
 };
 
 struct InsOptions
 {
     InsSource source = InsSource::Auto;
-    std::string label;              ///< sensorLabel of the pose observations; empty: the first met
-    double maxGap = 0.5;            ///< s
+    std::string label;               ///< sensorLabel of the pose observations; empty: the first met
+    double maxGap = 0.5;             ///< s
     double maxExtrapolation = 0.15;  ///< s
     double minCourseDistance = 0.5;  ///< m
 
@@ -42,8 +44,10 @@ struct InsOptions
     static void visit(Self& self, Visitor&& field)
     {
         field(self.source, "source", "observations that give the pose of the vehicle");
-        field(self.label, "label", "sensorLabel of these observations; empty: that of the first one");
-        field(self.maxGap, "max_gap_s", 0.01, 10.0, "longest time between two poses that is bridged");
+        field(self.label, "label",
+              "sensorLabel of these observations; empty: that of the first one");
+        field(self.maxGap, "max_gap_s", 0.01, 10.0,
+              "longest time between two poses that is bridged");
         field(self.maxExtrapolation, "max_extrapolation_s", 0.0, 1.0,
               "longest time before the first or after the last pose");
         field(self.minCourseDistance, "min_course_distance_m", 0.05, 10.0,
@@ -81,7 +85,7 @@ public:
     /// Pose at a time; nothing before the first sample, after the last one or inside a gap (save
     /// the allowed extrapolation at either side, which takes the speed of the interval before), and
     /// nothing while the heading is unknown. The first call fixes the source.
-    std::optional<VehiclePose> at(double time);
+    std::optional<VehiclePose> at(double time) const;
 
     /// True when a sample at or after `time` has been inserted, so that waiting brings nothing.
     bool covers(double time) const;

@@ -33,6 +33,7 @@ struct MeasureOptions
     double sizePriorWeight = 0.02;  ///< 1/m^3
     double minFaceAngle = 10.0 * kPi / 180.0;  ///< rad
     int minFaceHits = 5;
+    bool reachOverHits = true;
     FitOptions fit;
 
     template <class Self, class Visitor>
@@ -49,6 +50,8 @@ struct MeasureOptions
         field(self.minFaceAngle, "min_face_angle_deg", 0.0, 45.0,
               "grazing angle from which a face counts as seen");
         field(self.minFaceHits, "min_face_hits", 1, 100, "hits that a face needs to count as seen");
+        field(self.reachOverHits, "reach_over_hits",
+              "far ends of the box at the end of the rows of hits along its seen faces");
         FitOptions::visit(self.fit, field);
     }
 };

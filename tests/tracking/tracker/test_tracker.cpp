@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The frame function on scenes with exact truth.
+#include "vdamf/tracking/tracker/tracker.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "tracking/tracker/example_frames.h"
+
+namespace vdamf
+{
+namespace
+{
+const TrackReport* confirmedNear(const FrameResult& frame, const Eigen::Vector2d& position)
+{
+    for (const TrackReport& track : frame.tracks)
+        if (track.status == TrackStatus::Confirmed && (track.box.centre() - position).norm() < 1.5)
+            return &track;
+    return nullptr;
+}
+
+ExampleBody car(double x, double y, double heading) { return {{x, y, heading, 4.4, 1.8}, 1.5}; }
+
+TEST(Tracker, FollowsAPassingCarFromAMovingPlatform)
+{
+    Tracker tracker{TrackerOptions()};
+    std::set<std::uint64_t> ids;
+    double worstPosition = 0.0;
+    double speed = 0.0;
+    double heading = 0.0;
+    for (int k = 0; k < 40; ++k)
+    {
+        const double t = 0.1 * k;
+        const OrientedBox truth = car(30.0 - 9.0 * t, 4.0, kPi).box;
+        const FrameResult r = tracker.process(
+            exampleFrame(t, {5.0 * t, 0.0}, {{truth, 1.5}, car(20.0, -5.0, 0.0)}, 1000U + unsigned(k)));
+        EXPECT_EQ(r.time, t);
+        if (k < 5) continue;
+        const TrackReport* track = confirmedNear(r, truth.centre());
+        ASSERT_NE(track, nullptr) << "frame " << k;
+        ids.insert(track->id);
+        if (k < 15) continue;
+        worstPosition = std::max(worstPosition, (track->box.centre() - truth.centre()).norm());
+        speed = track->speed;
+        heading = track->box.heading;
+        EXPECT_NEAR(track->box.length, 4.4, 0.6) << k;
+        EXPECT_NEAR(track->box.width, 1.8, 0.5) << k;
+    }
+    EXPECT_EQ(ids.size(), 1U);
+    EXPECT_LT(worstPosition, 0.6);
+    EXPECT_NEAR(speed, 9.0, 0.7);
+    EXPECT_LT(std::abs(wrapAngle(heading - kPi)), 3.0 * kPi / 180.0);
+}
+
+TEST(Tracker, ParkedCarStandsStillWhileThePlatformMoves)
+{
+    Tracker tracker{TrackerOptions()};
+    std::set<std::uint64_t> ids;
+    for (int k = 0; k < 40; ++k)
+    {
+        const FrameResult r = tracker.process(
+            exampleFrame(0.1 * k, {0.8 * k, 0.0}, {car(20.0, -4.0, 0.0)}, 7U + unsigned(k)));
+        if (k < 10) continue;
+        const TrackReport* track = confirmedNear(r, {20.0, -4.0});
+        ASSERT_NE(track, nullptr) << k;
+        ids.insert(track->id);
+        EXPECT_LT(std::abs(track->speed), 0.7) << k;
+        EXPECT_LT((track->box.centre() - Eigen::Vector2d(20.0, -4.0)).norm(), 0.7) << k;
+    }
+    EXPECT_EQ(ids.size(), 1U);
+}
+
+TEST(Tracker, SameFramesSameResults)
+{
+    Tracker a{TrackerOptions()};
+    Tracker b{TrackerOptions()};
+    for (int k = 0; k < 8; ++k)
+    {
+        const LadarFrame frame = exampleFrame(0.1 * k, {0.0, 0.0},
+                                              {car(12.0 + 0.5 * k, 3.0, 0.2), car(-9.0, 4.0, 1.0)}, 5U);
+        const FrameResult ra = a.process(frame);
+        const FrameResult rb = b.process(frame);
+        ASSERT_EQ(ra.tracks.size(), rb.tracks.size());
+        for (std::size_t i = 0; i < ra.tracks.size(); ++i)
+        {
+            EXPECT_EQ(ra.tracks[i].box.x, rb.tracks[i].box.x);
+            EXPECT_EQ(ra.tracks[i].covariance, rb.tracks[i].covariance);
+        }
+    }
+}
+
+TEST(Tracker, LifecycleConfirmsCoastsAndEnds)
+{
+    TrackerOptions options;
+    options.lifecycle.maxCoast = 0.35;
+    Tracker tracker{options};
+    std::vector<TrackStatus> seen;
+    for (int k = 0; k < 12; ++k)
+    {
+        std::vector<ExampleBody> bodies;
+        if (k < 5) bodies.push_back(car(15.0, 2.0, 0.4));
+        const FrameResult r = tracker.process(exampleFrame(0.1 * k, {0.0, 0.0}, bodies, 3U));
+        if (!r.tracks.empty()) seen.push_back(r.tracks.front().status);
+    }
+    const std::vector<TrackStatus> expected{
+        TrackStatus::Tentative, TrackStatus::Tentative, TrackStatus::Confirmed,
+        TrackStatus::Confirmed, TrackStatus::Confirmed, TrackStatus::Coasting,
+        TrackStatus::Coasting,  TrackStatus::Coasting,  TrackStatus::Ended};
+    EXPECT_EQ(seen, expected);
+}
+
+TEST(Tracker, WorksFarFromTheOrigin)
+{
+    Tracker near{TrackerOptions()};
+    Tracker far{TrackerOptions()};
+    const Eigen::Vector2d shift(20000.0, -13000.0);
+    FrameResult a;
+    FrameResult b;
+    for (int k = 0; k < 10; ++k)
+    {
+        const OrientedBox box = car(14.0 + 0.6 * k, 3.0, 0.1).box;
+        OrientedBox moved = box;
+        moved.x += shift.x();
+        moved.y += shift.y();
+        a = near.process(exampleFrame(0.1 * k, {0.0, 0.0}, {{box, 1.5}}, 9U));
+        b = far.process(exampleFrame(0.1 * k, shift, {{moved, 1.5}}, 9U));
+    }
+    ASSERT_FALSE(a.tracks.empty());
+    ASSERT_EQ(a.tracks.size(), b.tracks.size());
+    EXPECT_NEAR(b.tracks[0].box.x - shift.x(), a.tracks[0].box.x, 5e-3);
+    EXPECT_NEAR(b.tracks[0].speed, a.tracks[0].speed, 5e-3);
+}
+
+TEST(Tracker, RefusesTimeThatGoesBackAndBadOptions)
+{
+    Tracker tracker{TrackerOptions()};
+    LadarFrame frame;
+    frame.time = 5.0;
+    EXPECT_TRUE(tracker.process(frame).tracks.empty());
+    EXPECT_THROW(tracker.process(frame), std::invalid_argument);
+    TrackerOptions bad;
+    bad.lifecycle.minHits = -1;
+    bad.measurement.sigma = 99.0;
+    EXPECT_EQ(bad.problems().size(), 2U);
+    EXPECT_THROW(Tracker{bad}, std::invalid_argument);
+}
+
+TEST(Tracker, NamesItsStagesInOrder)
+{
+    Tracker tracker{TrackerOptions()};
+    std::vector<std::string> stages;
+    tracker.onStage([&](const Stage* s) { stages.push_back(s != nullptr ? toString(*s) : "end"); });
+    tracker.process(LadarFrame{});
+    EXPECT_EQ(stages, (std::vector<std::string>{"ground removal", "clustering", "prediction",
+                                                "association", "matched filter", "update",
+                                                "new tracks", "end"}));
+}
+
+}  // namespace
+}  // namespace vdamf
