@@ -296,7 +296,6 @@ TEST(VelodyneDecoder, FindsAllPointsOfARecordedScan)
         ASSERT_LT(ours, cloud.size()) << "no point like MRPT's " << i;
         worst = std::max(worst, angleApart());
     }
-    std::cout << worst * 180 / kPi << "\n";
     EXPECT_LT(worst * 180.0 / kPi, 0.03);
 }
 

@@ -69,7 +69,9 @@ struct RawlogReader::Impl
         const auto header = parseObjectHeader(window.loaded());
         const bool object = header && (header->isNull() || isReadableClass(header->className));
         // Of an unknown class, or damaged in its first bytes: then others follow.
-        if (object || findEntry(1, kNearStart) < kNearStart) return;
+        if (object) return;
+        const std::size_t entry = findEntry(1, kNearStart);
+        if (entry < kNearStart && entry < window.loaded().size()) return;
         const bool unknownClass = header && header->className.find("::") != std::string::npos;
         if (unknownClass) return;
         throw std::runtime_error(path.string() + ": not a rawlog" +

@@ -156,7 +156,7 @@ TEST(FitMatchedFilter, DegenerateHitsStayFinite)
             hits.weight.push_back(1.0);
             hits.totalWeight += 1.0;
         }
-        const OrientedBox start = startBox(hits, kSensor, FitOptions());
+        const OrientedBox start = startBox(hits, kSensor, 2.2, FitOptions());
         const Measurement m = measureTarget(hits, kSensor, start, MeasureOptions());
         EXPECT_TRUE(std::isfinite(m.box.x) && std::isfinite(m.box.length)) << kind;
         EXPECT_TRUE(m.covariance.allFinite()) << kind;
@@ -227,13 +227,13 @@ TEST(StartBox, FollowsTheEdges)
     for (const double heading : {0.2, 0.7, 1.1, -0.5, -1.3})
     {
         const OrientedBox car{14.0, 4.0, heading, 4.5, 1.8};
-        const OrientedBox start = startBox(exampleHits(car, 200, 0.02, 0.0, 8), kSensor, FitOptions());
+        const OrientedBox start = startBox(exampleHits(car, 200, 0.02, 0.0, 8), kSensor, 2.2, FitOptions());
         EXPECT_LT(headingError(start, car), 4.0 * kPi / 180.0) << heading;
         EXPECT_LT((nearestCorner(start) - nearestCorner(car)).norm(), 0.4) << heading;
     }
     // A rear alone: too narrow for a side, so the heading is along the line of sight.
     const OrientedBox rear{15.0, 0.0, 0.0, 4.5, 1.8};
-    const OrientedBox start = startBox(exampleHits(rear, 100, 0.02, 0.0, 8), kSensor, FitOptions());
+    const OrientedBox start = startBox(exampleHits(rear, 100, 0.02, 0.0, 8), kSensor, 2.2, FitOptions());
     EXPECT_LT(std::abs(start.heading), 0.1);
     EXPECT_NEAR(start.width, 1.8, 0.15);
 }

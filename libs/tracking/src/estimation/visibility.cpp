@@ -18,11 +18,14 @@ SizeEstimate updatedEstimate(const SizeEstimate& memory, double measured, double
 {
     // What the fit claims is capped: its model of the surface has errors that it does not see.
     double noise = options.sizeSigma * options.sizeSigma + std::min(fitVariance, 1.0);
-    const double prior = memory.variance + options.sizeDriftSigma * options.sizeDriftSigma;
+    double prior = memory.variance + options.sizeDriftSigma * options.sizeDriftSigma;
     const double innovation = measured - memory.mean;
     const double sigma = std::sqrt(prior + noise);
-    constexpr double kLoss = 2.0;  // sigmas below the average: visibility loss
-    if (innovation < -kLoss * sigma) noise *= 100.0;
+    constexpr double kLoss = 2.0;         // sigmas below the average: visibility loss
+    constexpr double kLossNoise = 1000.0;  // then a second of such sights moves the average little
+    if (innovation < -kLoss * sigma) noise *= kLossNoise;
+    // Hits never add to a vehicle: where they reach farther, the average was of partial sights.
+    if (innovation > kLoss * sigma) prior = std::max(prior, innovation * innovation);
     const double gain = prior / (prior + noise);
     return {memory.mean + gain * innovation, (1.0 - gain) * prior};
 }
@@ -30,28 +33,29 @@ SizeEstimate updatedEstimate(const SizeEstimate& memory, double measured, double
 
 SizeMemory initialSize(const Measurement& m, const VisibilityOptions& o)
 {
-    // Ends of road vehicles that could be a car's, and sides that could.
-    const bool carEnd = m.box.width > 1.3 && m.box.width < 2.3;
-    const bool carSide = m.box.length > 2.7 && m.box.length < 5.5;
+    // Ends and sides that could be a car's; what is not seen could be anything.
+    const bool lengthFits = !locatesLength(m) || m.box.length < 5.5;
+    const bool widthFits = !locatesWidth(m) || m.box.width < 2.3;
+    const bool carEnd = locatesWidth(m) && m.box.width > 1.3;
+    const bool carSide = locatesLength(m) && m.box.length > 2.1;
+    if (o.assumeVehicleSize && lengthFits && widthFits && (carEnd || carSide))
+    {
+        const SizeMemory car{{o.carLength, o.carLengthSigma * o.carLengthSigma},
+                             {o.carWidth, o.carWidthSigma * o.carWidthSigma}};
+        return updatedSize(car, m, o);
+    }
     const double seen = o.sizeSigma * o.sizeSigma;
     const double hidden = o.unseenSigma * o.unseenSigma;
-    SizeMemory memory{{m.box.length, locatesLength(m) ? seen + std::min(1.0, m.covariance(3, 3)) : hidden},
-                      {m.box.width, locatesWidth(m) ? seen + std::min(1.0, m.covariance(4, 4)) : hidden}};
-    if (!o.assumeVehicleSize) return memory;
-    if (!locatesLength(m) && locatesWidth(m) && carEnd && m.box.length < o.carLength)
-        memory.length = {o.carLength, o.carLengthSigma * o.carLengthSigma};
-    if (!locatesWidth(m) && locatesLength(m) && carSide && m.box.width < o.carWidth)
-        memory.width = {o.carWidth, o.carWidthSigma * o.carWidthSigma};
-    return memory;
+    return {{m.box.length, locatesLength(m) ? seen + std::min(1.0, m.covariance(3, 3)) : hidden},
+            {m.box.width, locatesWidth(m) ? seen + std::min(1.0, m.covariance(4, 4)) : hidden}};
 }
 
 SizeMemory updatedSize(const SizeMemory& memory, const Measurement& m, const VisibilityOptions& o)
 {
     SizeMemory next = memory;
-    // A hidden dimension that shows more than is remembered is at least that large.
-    if (locatesLength(m) || m.box.length > memory.length.mean + 2.0 * o.sizeSigma)
+    if (locatesLength(m))
         next.length = updatedEstimate(memory.length, m.box.length, m.covariance(3, 3), o);
-    if (locatesWidth(m) || m.box.width > memory.width.mean + 2.0 * o.sizeSigma)
+    if (locatesWidth(m))
         next.width = updatedEstimate(memory.width, m.box.width, m.covariance(4, 4), o);
     return next;
 }
@@ -109,18 +113,28 @@ PoseMeasurement anchoredPose(const Measurement& m, const SizeMemory& size,
     return pose;
 }
 
-Measurement alignedWith(const Measurement& measurement, double heading)
+Measurement turnedBy(const Measurement& measurement, int quarters)
 {
     Measurement m = measurement;
-    if (std::abs(wrapAngle(m.box.heading - heading)) <= 0.5 * kPi) return m;
-    m.box.heading = wrapAngle(m.box.heading + kPi);
-    FaceSet faces;
-    if (measurement.facesSeen.has(Face::Front)) faces.add(Face::Back);
-    if (measurement.facesSeen.has(Face::Back)) faces.add(Face::Front);
-    if (measurement.facesSeen.has(Face::Left)) faces.add(Face::Right);
-    if (measurement.facesSeen.has(Face::Right)) faces.add(Face::Left);
-    m.facesSeen = faces;
+    // Counter-clockwise, each face becomes the one before it: the left side is the new front.
+    constexpr Face kAround[4] = {Face::Front, Face::Left, Face::Back, Face::Right};
+    const int turns = ((quarters % 4) + 4) % 4;
+    m.box.heading = wrapAngle(m.box.heading + 0.5 * kPi * turns);
+    m.facesSeen = FaceSet();
+    for (int k = 0; k < 4; ++k)
+        if (measurement.facesSeen.has(kAround[(k + turns) % 4])) m.facesSeen.add(kAround[k]);
+    if (turns % 2 == 1)
+    {
+        std::swap(m.box.length, m.box.width);
+        m.covariance.row(3).swap(m.covariance.row(4));
+        m.covariance.col(3).swap(m.covariance.col(4));
+    }
     return m;
+}
+
+Measurement alignedWith(const Measurement& m, double heading)
+{
+    return turnedBy(m, std::abs(wrapAngle(m.box.heading - heading)) <= 0.5 * kPi ? 0 : 2);
 }
 
 }  // namespace vdamf

@@ -42,11 +42,11 @@ Bounds boundsAt(const Hits& hits, double heading)
 }
 }  // namespace
 
-OrientedBox startBox(const Hits& hits, const Eigen::Vector2d& sensor, const FitOptions& options)
+OrientedBox startBox(const Hits& hits, const Eigen::Vector2d& sensor, double widestEnd,
+                     const FitOptions& options)
 {
-    // No end of a road vehicle is wider than this, no side of a car shorter.
-    constexpr double kShortestSide = 2.7;  // m
-    constexpr int kHeadings = 30;          // over a quarter turn
+    constexpr double kTwoFaces = 1.0;   // m; a rectangle at least this wide shows both
+    constexpr int kHeadings = 30;       // over a quarter turn
     if (hits.size() == 0) return {};
     double heading = 0.0;
     Bounds best = boundsAt(hits, heading);
@@ -64,8 +64,10 @@ OrientedBox startBox(const Hits& hits, const Eigen::Vector2d& sensor, const FitO
                                                                       0.5 * (best.minY + best.maxY));
     double length = best.maxX - best.minX;
     double width = best.maxY - best.minY;
-    const bool alongX = (length >= width) == (std::max(length, width) >= kShortestSide);
-    if (!alongX)
+    const bool endAlone =
+        std::max(length, width) < widestEnd && std::min(length, width) < kTwoFaces;
+    const bool headingAlongLonger = !endAlone;
+    if ((length >= width) != headingAlongLonger)
     {
         heading += 0.5 * kPi;
         std::swap(length, width);

@@ -16,38 +16,50 @@ constexpr float kCell = 0.2F;      // m
 constexpr float kReach = 1000.0F;  // hits farther than this from the sensor are no use, m
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
-// Hits in the plane, from the sensor, with the bounds of all.
-struct PlaneHits
+// The hits in the plane, from the sensor: with one pass for each use less memory is touched than
+// with a copy.
+class PlaneView
 {
-    std::vector<float> x, y;
-    std::vector<std::uint32_t> index;  // of the hit in the frame
-    std::vector<float> height;
-    float minX = kReach, minY = kReach, maxX = -kReach, maxY = -kReach;
+public:
+    PlaneView(const LadarFrame& frame, const AboveGround& above)
+        : points_(frame.points), index_(above.index),
+          shift_((frame.origin - frame.sensor).head<2>().cast<float>())
+    {
+    }
+
+    std::size_t size() const { return index_.size(); }
+    float x(std::size_t i) const { return points_.x[index_[i]] + shift_.x(); }
+    float y(std::size_t i) const { return points_.y[index_[i]] + shift_.y(); }
+    bool used(std::size_t i) const
+    {
+        return (std::abs(x(i)) < kReach) & (std::abs(y(i)) < kReach);
+    }
+
+private:
+    const PointCloud& points_;
+    const std::vector<std::uint32_t>& index_;
+    Eigen::Vector2f shift_;
 };
 
-PlaneHits projectToPlane(const LadarFrame& frame, const AboveGround& above)
+struct Bounds
 {
-    const Eigen::Vector3f shift = (frame.origin - frame.sensor).cast<float>();
-    PlaneHits hits;
-    hits.x.reserve(above.index.size());
-    hits.y.reserve(above.index.size());
-    hits.index.reserve(above.index.size());
-    hits.height.reserve(above.index.size());
-    for (std::size_t i = 0; i < above.index.size(); ++i)
+    float minX = kReach, minY = kReach, maxX = -kReach, maxY = -kReach;
+
+    void add(float x, float y)
     {
-        const float x = frame.points.x[above.index[i]] + shift.x();
-        const float y = frame.points.y[above.index[i]] + shift.y();
-        if (!(std::abs(x) < kReach && std::abs(y) < kReach)) continue;
-        hits.x.push_back(x);
-        hits.y.push_back(y);
-        hits.index.push_back(above.index[i]);
-        hits.height.push_back(above.height[i]);
-        hits.minX = std::min(hits.minX, x);
-        hits.minY = std::min(hits.minY, y);
-        hits.maxX = std::max(hits.maxX, x);
-        hits.maxY = std::max(hits.maxY, y);
+        minX = std::min(minX, x);
+        minY = std::min(minY, y);
+        maxX = std::max(maxX, x);
+        maxY = std::max(maxY, y);
     }
-    return hits;
+};
+
+Bounds boundsOf(const PlaneView& hits)
+{
+    Bounds bounds;
+    for (std::size_t i = 0; i < hits.size(); ++i)
+        if (hits.used(i)) bounds.add(hits.x(i), hits.y(i));
+    return bounds;
 }
 
 // An occupied cell; sums until all hits are in, then means.
@@ -55,33 +67,51 @@ struct Cell
 {
     float x = 0.0F, y = 0.0F;
     std::uint32_t hits = 0;
-    int column = 0, row = 0;
+    std::uint16_t column = 0, row = 0;
 };
 
 struct CellGrid
 {
     CellBitmap bitmap;
-    std::vector<Cell> cells;              // by number
-    std::vector<std::uint32_t> cellOfHit;
+    std::vector<Cell> cells;               // by number
+    std::vector<std::uint32_t> cellOfHit;  // kNone: hit not used
 };
 
-CellGrid sortIntoCells(const PlaneHits& hits)
+int cellsIn(float distance) { return static_cast<int>(distance * (1.0F / kCell)); }
+
+// Row and column of each hit, packed; kNone where it is not used.
+std::vector<std::uint32_t> occupyCells(const PlaneView& hits, const Bounds& bounds,
+                                       CellBitmap& bitmap)
 {
-    const auto toCell = [](float d) { return static_cast<int>(d * (1.0F / kCell)); };
-    CellGrid grid{CellBitmap(toCell(hits.maxX - hits.minX) + 1, toCell(hits.maxY - hits.minY) + 1),
-                  {},
-                  std::vector<std::uint32_t>(hits.x.size())};
-    for (std::size_t i = 0; i < hits.x.size(); ++i)
-        grid.bitmap.occupy(toCell(hits.x[i] - hits.minX), toCell(hits.y[i] - hits.minY));
-    grid.cells.resize(grid.bitmap.enumerate());
-    for (std::size_t i = 0; i < hits.x.size(); ++i)
+    std::vector<std::uint32_t> packed(hits.size(), kNone);
+    for (std::size_t i = 0; i < hits.size(); ++i)
     {
-        const int column = toCell(hits.x[i] - hits.minX);
-        const int row = toCell(hits.y[i] - hits.minY);
+        if (!hits.used(i)) continue;
+        const int column = cellsIn(hits.x(i) - bounds.minX);
+        const int row = cellsIn(hits.y(i) - bounds.minY);
+        bitmap.occupy(column, row);
+        packed[i] = static_cast<std::uint32_t>(row << 16 | column);
+    }
+    return packed;
+}
+
+CellGrid sortIntoCells(const PlaneView& hits)
+{
+    const Bounds b = boundsOf(hits);
+    if (b.minX > b.maxX) return {CellBitmap(0, 0), {}, {}};
+    CellGrid grid{CellBitmap(cellsIn(b.maxX - b.minX) + 1, cellsIn(b.maxY - b.minY) + 1), {}, {}};
+    grid.cellOfHit = occupyCells(hits, b, grid.bitmap);
+    grid.cells.resize(grid.bitmap.enumerate());
+    for (std::size_t i = 0; i < hits.size(); ++i)
+    {
+        const std::uint32_t packed = grid.cellOfHit[i];
+        if (packed == kNone) continue;
+        const auto column = static_cast<std::uint16_t>(packed & 0xFFFFU);
+        const auto row = static_cast<std::uint16_t>(packed >> 16);
         grid.cellOfHit[i] = grid.bitmap.number(column, row);
         Cell& cell = grid.cells[grid.cellOfHit[i]];
-        cell.x += hits.x[i];
-        cell.y += hits.y[i];
+        cell.x += hits.x(i);
+        cell.y += hits.y(i);
         ++cell.hits;
         cell.column = column;
         cell.row = row;
@@ -125,53 +155,72 @@ void uniteWithNeighbours(const CellGrid& grid, std::uint32_t number, float gap, 
     }
 }
 
-// Of one group of connected cells.
+// Cells that are connected.
 struct Group
 {
     std::uint32_t hits = 0;
-    float minX = kReach, minY = kReach, maxX = -kReach, maxY = -kReach;
     std::uint32_t cluster = kNone;
+    Bounds bounds;
 
-    float extent() const { return std::hypot(maxX - minX, maxY - minY); }
+    float extent() const
+    {
+        return std::hypot(bounds.maxX - bounds.minX, bounds.maxY - bounds.minY);
+    }
 };
 
-std::vector<Cluster> gather(const LadarFrame& frame, const PlaneHits& hits, const CellGrid& grid,
-                            DisjointSets& sets, const ClusterOptions& options)
+// By cell; all cells of a group name the same cluster, or kNone.
+struct ClusterOfCell
 {
-    std::vector<std::uint32_t> root(grid.cells.size());
+    std::vector<std::uint32_t> cluster;
+    std::vector<std::uint32_t> hits;  // by cluster
+};
+
+ClusterOfCell numberClusters(const CellGrid& grid, DisjointSets& sets,
+                             const ClusterOptions& options)
+{
     std::vector<Group> groups(grid.cells.size());
     for (std::uint32_t n = 0; n < grid.cells.size(); ++n)
     {
-        const Cell& cell = grid.cells[n];
-        root[n] = sets.root(n);
-        Group& group = groups[root[n]];
-        group.hits += cell.hits;
-        group.minX = std::min(group.minX, cell.x);
-        group.minY = std::min(group.minY, cell.y);
-        group.maxX = std::max(group.maxX, cell.x);
-        group.maxY = std::max(group.maxY, cell.y);
+        Group& group = groups[sets.root(n)];
+        group.hits += grid.cells[n].hits;
+        group.bounds.add(grid.cells[n].x, grid.cells[n].y);
     }
-    std::vector<Cluster> clusters;
-    for (Group& group : groups)
+    ClusterOfCell numbers;
+    numbers.cluster.reserve(groups.size());
+    for (std::uint32_t n = 0; n < groups.size(); ++n)
     {
-        if (group.hits < static_cast<std::uint32_t>(options.minPoints)) continue;
-        if (group.extent() > static_cast<float>(options.maxExtent)) continue;
-        group.cluster = static_cast<std::uint32_t>(clusters.size());
-        Cluster& cluster = clusters.emplace_back();
-        cluster.x.reserve(group.hits);
-        cluster.y.reserve(group.hits);
-        cluster.z.reserve(group.hits);
-        cluster.height.reserve(group.hits);
+        const std::uint32_t root = sets.root(n);  // n itself, or a cell before it
+        Group& group = groups[root];
+        if (root == n && group.hits >= static_cast<std::uint32_t>(options.minPoints) &&
+            group.extent() <= static_cast<float>(options.maxExtent))
+        {
+            group.cluster = static_cast<std::uint32_t>(numbers.hits.size());
+            numbers.hits.push_back(group.hits);
+        }
+        numbers.cluster.push_back(group.cluster);
     }
-    for (std::size_t i = 0; i < hits.x.size(); ++i)
+    return numbers;
+}
+
+std::vector<Cluster> gather(const LadarFrame& frame, const AboveGround& above,
+                            const std::vector<std::uint32_t>& cellOfHit,
+                            const ClusterOfCell& numbers)
+{
+    std::vector<Cluster> clusters(numbers.hits.size());
+    for (std::size_t i = 0; i < clusters.size(); ++i)
+        for (auto* values :
+             {&clusters[i].x, &clusters[i].y, &clusters[i].z, &clusters[i].height})
+            values->reserve(numbers.hits[i]);
+    for (std::size_t i = 0; i < cellOfHit.size(); ++i)
     {
-        const std::uint32_t to = groups[root[grid.cellOfHit[i]]].cluster;
+        if (cellOfHit[i] == kNone) continue;
+        const std::uint32_t to = numbers.cluster[cellOfHit[i]];
         if (to == kNone) continue;
-        const std::size_t from = hits.index[i];
+        const std::size_t from = above.index[i];
         clusters[to].x.push_back(frame.points.x[from]);
         clusters[to].y.push_back(frame.points.y[from]);
         clusters[to].z.push_back(frame.points.z[from]);
-        clusters[to].height.push_back(hits.height[i]);
+        clusters[to].height.push_back(above.height[i]);
     }
     return clusters;
 }
@@ -180,13 +229,11 @@ std::vector<Cluster> gather(const LadarFrame& frame, const PlaneHits& hits, cons
 std::vector<Cluster> clusterPoints(const LadarFrame& frame, const AboveGround& aboveGround,
                                    const ClusterOptions& options)
 {
-    const PlaneHits hits = projectToPlane(frame, aboveGround);
-    if (hits.x.empty()) return {};
-    const CellGrid grid = sortIntoCells(hits);
+    const CellGrid grid = sortIntoCells(PlaneView(frame, aboveGround));
     DisjointSets sets(grid.cells.size());
     for (std::uint32_t n = 0; n < grid.cells.size(); ++n)
         uniteWithNeighbours(grid, n, gapAt(grid.cells[n], options), sets);
-    return gather(frame, hits, grid, sets, options);
+    return gather(frame, aboveGround, grid.cellOfHit, numberClusters(grid, sets, options));
 }
 
 }  // namespace vdamf

@@ -15,38 +15,27 @@ constexpr int kSectorsAtOnce = 4;      // one low hit from these, for speed and 
 constexpr std::size_t kLeastSupport = 12;
 constexpr float kBin = 0.1F;  // of the histogram over heights, m
 
-struct LowPoint
-{
-    float x, y, z;
-};
-
 // The second lowest hit of a cell, where it has one, is less likely to be an outlier.
-std::vector<LowPoint> lowPointsNearby(const PolarHits& hits, const PolarGrid& grid,
-                                      const std::vector<LowHits>& lowHits)
+std::vector<LowHit> lowHitsNearby(const PolarGrid& grid, const std::vector<LowHits>& lowHits)
 {
     const int rings =
         std::min(grid.rings, static_cast<int>(PolarGrid::coordinate(kSearchRange)) + 1);
-    std::vector<LowPoint> points;
+    std::vector<LowHit> nearby;
     for (int sector = 0; sector < PolarGrid::kSectors; sector += kSectorsAtOnce)
     {
         for (int ring = 0; ring < rings; ++ring)
         {
-            std::int32_t best = -1;
+            LowHit lowest;
             for (int s = sector; s < sector + kSectorsAtOnce; ++s)
             {
                 const LowHits& low = lowHits[static_cast<std::size_t>(grid.cell(s, ring))];
-                const std::int32_t i = low.secondIndex >= 0 ? low.secondIndex : low.index;
-                if (i < 0) continue;
-                if (best < 0 || hits.z[static_cast<std::size_t>(i)] <
-                                    hits.z[static_cast<std::size_t>(best)])
-                    best = i;
+                const LowHit& hit = low[1].seen() ? low[1] : low[0];
+                if (hit.z < lowest.z) lowest = hit;
             }
-            if (best < 0) continue;
-            const auto i = static_cast<std::size_t>(best);
-            points.push_back({hits.x[i], hits.y[i], hits.z[i]});
+            if (lowest.seen()) nearby.push_back(lowest);
         }
     }
-    return points;
+    return nearby;
 }
 
 struct Candidate
@@ -57,7 +46,7 @@ struct Candidate
 
 // The best height for the slope: many points in three bins, few below them (a LADAR does not see
 // through the ground, but a mirror or the edge of a slope shows some).
-Candidate bestHeight(const std::vector<LowPoint>& points, float slopeX, float slopeY,
+Candidate bestHeight(const std::vector<LowHit>& points, float slopeX, float slopeY,
                      const GroundOptions& options)
 {
     constexpr int kMaxBins = 256;
@@ -66,7 +55,7 @@ Candidate bestHeight(const std::vector<LowPoint>& points, float slopeX, float sl
     const auto top = static_cast<float>(-options.minSensorHeight);
     const int bins = std::clamp(static_cast<int>((top - bottom) / kBin) + 2, 4, kMaxBins);
     const auto lastBin = static_cast<float>(bins - 1);
-    for (const LowPoint& p : points)
+    for (const LowHit& p : points)
     {
         const float z = p.z - slopeX * p.x - slopeY * p.y;
         const float bin = std::clamp((z - bottom) / kBin, 0.0F, lastBin);
@@ -90,7 +79,7 @@ Candidate bestHeight(const std::vector<LowPoint>& points, float slopeX, float sl
 }
 
 // A slope has to be better than a flatter one by 2 %, so that few hits do not tilt the plane.
-Candidate bestPlane(const std::vector<LowPoint>& points, const GroundOptions& options)
+Candidate bestPlane(const std::vector<LowHit>& points, const GroundOptions& options)
 {
     constexpr int kSteps = 3;
     constexpr float kStep = 0.05F;
@@ -113,7 +102,7 @@ Candidate bestPlane(const std::vector<LowPoint>& points, const GroundOptions& op
 
 // Least squares, reweighted with a biweight whose width shrinks; a weak tie to the slope of the
 // start keeps frames with one circle on the ground or a narrow view from turning over.
-GroundPlane refine(const std::vector<LowPoint>& points, const GroundPlane& start)
+GroundPlane refine(const std::vector<LowHit>& points, const GroundPlane& start)
 {
     GroundPlane plane = start;
     for (const float width : {0.6F, 0.45F, 0.3F, 0.25F, 0.25F})
@@ -121,7 +110,7 @@ GroundPlane refine(const std::vector<LowPoint>& points, const GroundPlane& start
         Eigen::Matrix3f a = Eigen::Vector3f(1e-3F, 50.0F, 50.0F).asDiagonal();
         Eigen::Vector3f b(0.0F, 50.0F * (start.slopeX - plane.slopeX),
                           50.0F * (start.slopeY - plane.slopeY));
-        for (const LowPoint& p : points)
+        for (const LowHit& p : points)
         {
             const float e = p.z - plane.at(p.x, p.y);
             if (std::abs(e) >= width) continue;
@@ -138,11 +127,11 @@ GroundPlane refine(const std::vector<LowPoint>& points, const GroundPlane& start
 }
 }  // namespace
 
-std::optional<GroundPlane> findGroundPlane(const PolarHits& hits, const PolarGrid& grid,
+std::optional<GroundPlane> findGroundPlane(const PolarGrid& grid,
                                            const std::vector<LowHits>& lowHits,
                                            const GroundOptions& options)
 {
-    const std::vector<LowPoint> points = lowPointsNearby(hits, grid, lowHits);
+    const std::vector<LowHit> points = lowHitsNearby(grid, lowHits);
     const Candidate best = bestPlane(points, options);
     if (best.score < static_cast<float>(kLeastSupport)) return std::nullopt;
     return refine(points, best.plane);

@@ -21,7 +21,7 @@ struct GroundPlane
 
 /// The plane with the most low hits of cells within 25 m in it and few below it. Nothing where
 /// too few hits agree: the frame shows no ground.
-std::optional<GroundPlane> findGroundPlane(const PolarHits& hits, const PolarGrid& grid,
+std::optional<GroundPlane> findGroundPlane(const PolarGrid& grid,
                                            const std::vector<LowHits>& lowHits,
                                            const GroundOptions& options);
 

@@ -2,9 +2,10 @@
 #include "preprocessing/ground_surface.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
-#include <cstdlib>
+#include <utility>
 
 #include "vdamf/tracking/types/geometry.h"
 
@@ -12,16 +13,21 @@ namespace vdamf
 {
 namespace
 {
-float env(const char*n,float d){const char*v=getenv(n);return v?float(atof(v)):d;}
-// Of the ground over the plane, per metre of way: kerbs and unevenness, and the change of slope.
-static const float kHeightNoise = env("HN",0.04F)*env("HN",0.04F);     // m^2 / m
-static const float kSlopeNoise = env("SN",0.008F)*env("SN",0.008F);    // 1 / m
-static const float kLateralNoise = env("LN",0.05F)*env("LN",0.05F);    // m^2 / m, across the sectors
-static const float kHitVariance = env("HV",0.04F)*env("HV",0.04F);     // of a low hit, m^2
-static const float kGate=env("GA",3);                     // standard deviations
-static const float kMaxGateUp=env("GU",0.4F);static const float kDn=env("DN",0),kNear=env("NC",0),kGD=env("GD",9);static const float kUp=env("UP",0);                // an object's side begins here, m
-static const float kStartVariance = env("SV",0.1F)*env("SV",0.1F);     // of the plane, m^2
-static const float kStartSlope = env("SS",0.03F)*env("SS",0.03F);
+// Tuned on KITTI drives: whole, with every fourth beam, and with mirror images added.
+// Change of the ground over the plane, per metre of way:
+constexpr float kHeightNoise = 0.04F * 0.04F;   // kerbs and unevenness, m^2 / m
+constexpr float kSlopeNoise = 0.008F * 0.008F;  // of the slope outwards, 1 / m
+constexpr float kLateralNoise = 0.05F * 0.05F;  // across the sectors, m^2 / m
+// Of a low hit, m^2; and the share of its squared distance from the prediction that adds to it: a
+// hit at the edge of the gate is either, ground or the foot of something.
+constexpr float kHitVariance = 0.04F * 0.04F;
+constexpr float kDoubt = 0.2F;
+constexpr float kGate = 3.0F;        // standard deviations, but not more than
+constexpr float kMaxGateUp = 0.2F;   // where the side of an object may begin, m
+constexpr float kMaxGateDown = 0.5F; // a step down, m
+constexpr float kAlone = 0.05F;      // a lowest hit that is below the next by more is noise, m
+constexpr float kStartVariance = 0.1F * 0.1F;  // of the plane, m^2
+constexpr float kStartSlope = 0.03F * 0.03F;
 constexpr float kUnseen = std::numeric_limits<float>::quiet_NaN();
 
 // Height and slope over the range of one sector, with their covariance.
@@ -47,8 +53,7 @@ inline void advance(Profile& p, float d)
 inline void observe(Profile& p, float height)
 {
     const float error = height - p.height;
-    const float e2 = std::max(0.0F, error);
-    const float gain = 1.0F / (p.hh + kHitVariance+kUp*e2*e2+kDn*std::min(0.F,error)*std::min(0.F,error));
+    const float gain = 1.0F / (p.hh + kHitVariance + kDoubt * error * error);
     const float kh = p.hh * gain;
     const float ks = p.hs * gain;
     p.height += kh * error;
@@ -67,50 +72,44 @@ struct GroundHit
     bool seen() const { return height == height; }
 };
 
-GroundHit groundHitAt(const PolarHits& hits, const GroundPlane& plane, std::int32_t index)
+GroundHit groundHitAt(const LowHit& hit, const GroundPlane& plane)
 {
-    if (index < 0) return {};
-    const auto i = static_cast<std::size_t>(index);
-    return {PolarGrid::range(hits.ring[i]), hits.z[i] - plane.at(hits.x[i], hits.y[i])};
+    if (!hit.seen()) return {};
+    return {std::sqrt(hit.x * hit.x + hit.y * hit.y), hit.z - plane.at(hit.x, hit.y)};
 }
 
 bool insideGate(const Profile& p, const GroundHit& hit)
 {
-    if (!hit.seen()) return false;
     const float gate = kGate * std::sqrt(p.hh + kHitVariance);
     const float error = hit.height - p.height;
-    return error > -std::min(gate,kGD) && error < std::min(gate, kMaxGateUp);
+    return error > -std::min(gate, kMaxGateDown) && error < std::min(gate, kMaxGateUp);
 }
 
-// Moves the profile of one cell's inner edge to its outer edge, over the lowest of the cell's low
-// hits that fits. Returns that hit.
-GroundHit crossCell(Profile& p, const LowHits& low, const PolarHits& hits,
-                    const GroundPlane& plane, float innerRange, float outerRange)
+// The cell's low hits in the order in which they are tried.
+std::array<GroundHit, 2> candidates(const LowHits& low, const GroundPlane& plane)
 {
-    float at = innerRange;
-    if (kNear>0 && low.secondIndex>=0){
-     const GroundHit a=groundHitAt(hits,plane,low.index),b=groundHitAt(hits,plane,low.secondIndex);
-     const bool in = b.height-a.height>kNear; 
-        const GroundHit hit = in?b:a;
-        Profile q=p;
-        advance(q, hit.range - at);
-        if (insideGate(q, hit)) {
-        observe(q, hit.height);
-        advance(q, outerRange - hit.range);p=q;
-        return hit;}
-    }
-    for (const std::int32_t index : {low.index, low.secondIndex})
+    GroundHit first = groundHitAt(low[0], plane);
+    GroundHit second = groundHitAt(low[1], plane);
+    if (second.height - first.height > kAlone) std::swap(first, second);
+    return {first, second};
+}
+
+// Moves the profile from a cell's inner edge to its outer edge, over the first of the cell's low
+// hits that fits. Returns that hit.
+GroundHit crossCell(Profile& p, const std::array<GroundHit, 2>& low, float inner, float outer)
+{
+    for (const GroundHit& hit : low)
     {
-        const GroundHit hit = groundHitAt(hits, plane, index);
         if (!hit.seen()) break;
-        advance(p, hit.range - at);
-        at = hit.range;
-        if (!insideGate(p, hit)) continue;
-        observe(p, hit.height);
-        advance(p, outerRange - at);
+        Profile there = p;
+        advance(there, hit.range - inner);
+        if (!insideGate(there, hit)) continue;
+        observe(there, hit.height);
+        advance(there, outer - hit.range);
+        p = there;
         return hit;
     }
-    advance(p, outerRange - at);
+    advance(p, outer - inner);
     return {};
 }
 
@@ -139,61 +138,81 @@ void exchangeAcross(std::vector<Profile>& profiles, float range)
         learnFrom(profiles[static_cast<std::size_t>((i - 1) % kSectors)],
                   profiles[static_cast<std::size_t>(i % kSectors)], arc);
 }
+std::vector<float> edgeRanges(const PolarGrid& grid)
+{
+    std::vector<float> ranges;
+    for (int n = 0; n <= grid.rings; ++n) ranges.push_back(PolarGrid::range(static_cast<float>(n)));
+    return ranges;
+}
+
+// What the pass outwards finds, by edge (as in GroundSurface) and by cell.
+struct OutwardPass
+{
+    std::vector<float> height;      // over the plane at the edge, m
+    std::vector<float> variance;    // of that, m^2
+    std::vector<GroundHit> ground;  // in the cell
+};
+
+OutwardPass passOutwards(const PolarGrid& grid,
+                         const std::vector<LowHits>& lowHits, const GroundPlane& plane,
+                         const std::vector<float>& ranges)
+{
+    OutwardPass pass;
+    const std::size_t edges = ranges.size();
+    pass.height.resize(PolarGrid::kSectors * edges);
+    pass.variance.resize(pass.height.size());
+    pass.ground.resize(lowHits.size());
+    std::vector<Profile> profiles(PolarGrid::kSectors);
+    for (std::size_t ring = 0; ring < edges; ++ring)
+    {
+        for (std::size_t sector = 0; sector < profiles.size(); ++sector)
+        {
+            Profile& p = profiles[sector];
+            pass.height[sector * edges + ring] = p.height;
+            pass.variance[sector * edges + ring] = p.hh;
+            if (ring + 1 == edges) continue;
+            const auto cell = static_cast<std::size_t>(
+                grid.cell(static_cast<int>(sector), static_cast<int>(ring)));
+            pass.ground[cell] = crossCell(p, candidates(lowHits[cell], plane), ranges[ring],
+                                          ranges[ring + 1]);
+        }
+        if (ring + 1 < edges) exchangeAcross(profiles, ranges[ring + 1]);
+    }
+    return pass;
+}
+
+// Blends the heights at one sector's edges with what the ground hits farther out say.
+void passInwards(OutwardPass& pass, std::size_t sector, const std::vector<float>& ranges)
+{
+    const std::size_t rings = ranges.size() - 1;
+    Profile p;
+    p.hh = 100.0F;  // knows nothing yet
+    for (std::size_t ring = rings; ring-- > 0;)
+    {
+        float at = ranges[ring + 1];
+        const GroundHit& hit = pass.ground[sector * rings + ring];
+        if (hit.seen())
+        {
+            advance(p, hit.range - at);
+            observe(p, hit.height);
+            at = hit.range;
+        }
+        advance(p, ranges[ring] - at);
+        const std::size_t edge = sector * (rings + 1) + ring;
+        const float w = pass.variance[edge] / (pass.variance[edge] + p.hh);
+        pass.height[edge] += w * (p.height - pass.height[edge]);
+    }
+}
 }  // namespace
 
-GroundSurface followGround(const PolarHits& hits, const PolarGrid& grid,
+GroundSurface followGround(const PolarGrid& grid,
                            const std::vector<LowHits>& lowHits, const GroundPlane& plane)
 {
-    constexpr int kSectors = PolarGrid::kSectors;
-    const int edges = grid.rings + 1;
-    GroundSurface surface{plane, std::vector<float>(static_cast<std::size_t>(kSectors * edges))};
-    std::vector<GroundHit> ground(lowHits.size());
-    std::vector<float> variance(surface.height.size());
-    std::vector<float> rangeOfEdge(static_cast<std::size_t>(edges));
-    for (int n = 0; n < edges; ++n)
-        rangeOfEdge[static_cast<std::size_t>(n)] = PolarGrid::range(static_cast<float>(n));
-
-    std::vector<Profile> profiles(kSectors);
-    for (int ring = 0; ring < grid.rings; ++ring)
-    {
-        const float inner = rangeOfEdge[static_cast<std::size_t>(ring)];
-        const float outer = rangeOfEdge[static_cast<std::size_t>(ring) + 1];
-        for (int s = 0; s < kSectors; ++s)
-        {
-            const auto cell = static_cast<std::size_t>(grid.cell(s, ring));
-            Profile& p = profiles[static_cast<std::size_t>(s)];
-            const auto edge = static_cast<std::size_t>(s * edges + ring);
-            surface.height[edge] = p.height;
-            variance[edge] = p.hh;
-            ground[cell] = crossCell(p, lowHits[cell], hits, plane, inner, outer);
-        }
-        exchangeAcross(profiles, outer);
-    }
-    for (int s = 0; s < kSectors; ++s)
-    {
-        Profile p;
-        p.hh = 100.0F;
-        p.ss = 0.05F * 0.05F;
-        surface.height[static_cast<std::size_t>(s * edges + grid.rings)] =
-            profiles[static_cast<std::size_t>(s)].height;
-        for (int ring = grid.rings - 1; ring >= 0; --ring)
-        {
-            const float inner = rangeOfEdge[static_cast<std::size_t>(ring)];
-            float at = rangeOfEdge[static_cast<std::size_t>(ring) + 1];
-            const GroundHit& hit = ground[static_cast<std::size_t>(grid.cell(s, ring))];
-            if (hit.seen())
-            {
-                advance(p, hit.range - at);
-                observe(p, hit.height);
-                at = hit.range;
-            }
-            advance(p, inner - at);
-            const auto edge = static_cast<std::size_t>(s * edges + ring);
-            const float w = variance[edge] / (variance[edge] + p.hh);
-            surface.height[edge] += w * (p.height - surface.height[edge]);
-        }
-    }
-    return surface;
+    const std::vector<float> ranges = edgeRanges(grid);
+    OutwardPass pass = passOutwards(grid, lowHits, plane, ranges);
+    for (std::size_t sector = 0; sector < PolarGrid::kSectors; ++sector)
+        passInwards(pass, sector, ranges);
+    return {plane, std::move(pass.height)};
 }
 
 }  // namespace vdamf

@@ -22,7 +22,7 @@ struct GroundSurface
 /// the gate of the prediction is no ground (an object, a mirror image); where no ground is seen
 /// the neighbouring sectors and the slope from inside carry it on. A second pass inwards, as in
 /// a two-filter smoother, uses the ground behind an object too.
-GroundSurface followGround(const PolarHits& hits, const PolarGrid& grid,
-                           const std::vector<LowHits>& lowHits, const GroundPlane& plane);
+GroundSurface followGround(const PolarGrid& grid, const std::vector<LowHits>& lowHits,
+                           const GroundPlane& plane);
 
 }  // namespace vdamf

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "vdamf/tracking/types/geometry.h"
 
@@ -25,70 +26,81 @@ inline float turns(float x, float y)
     const float half = x < 0.0F ? 0.5F - quadrant : quadrant;
     return y < 0.0F ? 1.0F - half : half;
 }
+// Height and index of a hit in one integer, so that the lowest two of a cell are two minima and
+// not branches, which would go either way at every hit.
+using Key = std::uint64_t;
+constexpr Key kNoKey = std::numeric_limits<Key>::max();
+
+inline Key keyOf(float z, std::size_t index)
+{
+    const auto millimetres = static_cast<std::int64_t>(z * 1000.0F);
+    return static_cast<Key>(millimetres + (std::int64_t{1} << 30)) << 32 | index;
+}
 }  // namespace
 
 PolarHits locateHits(const LadarFrame& frame, const GroundOptions& options)
 {
-    const auto n = static_cast<Eigen::Index>(frame.points.size());
-    const Eigen::Vector3f shift = (frame.origin - frame.sensor).cast<float>();
-    PolarHits hits;
-    hits.x.resize(frame.points.size());
-    hits.y.resize(frame.points.size());
-    hits.z.resize(frame.points.size());
-    hits.ring.resize(frame.points.size());
-    hits.sector.resize(frame.points.size());
-    using Array = Eigen::Map<Eigen::ArrayXf>;
-    using Input = Eigen::Map<const Eigen::ArrayXf>;
-    Array x(hits.x.data(), n);
-    Array y(hits.y.data(), n);
-    Array z(hits.z.data(), n);
-    Array range(hits.ring.data(), n);
-    x = Input(frame.points.x.data(), n) + shift.x();
-    y = Input(frame.points.y.data(), n) + shift.y();
-    z = Input(frame.points.z.data(), n) + shift.z();
-    range = (x * x + y * y).sqrt();
+    const PointCloud& points = frame.points;
+    const auto n = static_cast<Eigen::Index>(points.size());
+    PolarHits hits{(frame.origin - frame.sensor).cast<float>(), {}, {}};
+    const float dx = hits.shift.x();
+    const float dy = hits.shift.y();
+    hits.ring.resize(points.size());
+    hits.sector.resize(points.size());
+    // Eigen's square root is a vector instruction; the library's has a branch for errno.
+    Eigen::Map<Eigen::ArrayXf>(hits.ring.data(), n) =
+        ((Eigen::Map<const Eigen::ArrayXf>(points.x.data(), n) + dx).square() +
+         (Eigen::Map<const Eigen::ArrayXf>(points.y.data(), n) + dy).square())
+            .sqrt();
 
     const auto minRange = static_cast<float>(options.minRange);
     const auto maxRange = static_cast<float>(options.maxRange);
     constexpr float kMaxZ = 1e4F;
-    for (std::size_t i = 0; i < hits.size(); ++i)
+    // Plain pointers and selections instead of branches: so the loop becomes vector instructions.
+    const float* const px = points.x.data();
+    const float* const py = points.y.data();
+    const float* const pz = points.z.data();
+    float* const ring = hits.ring.data();
+    std::uint8_t* const sector = hits.sector.data();
+    for (std::size_t i = 0; i < points.size(); ++i)
     {
-        const float r = hits.ring[i];
-        const bool used = (r >= minRange) & (r <= maxRange) & (std::abs(hits.z[i]) < kMaxZ);
-        // A hit that is not used may hold anything: no conversion to int before this.
-        const float turn = used ? turns(hits.x[i], hits.y[i]) : 0.0F;
-        const auto sector = static_cast<std::int32_t>(turn * PolarGrid::kSectors);
-        hits.sector[i] = used ? std::min(sector, PolarGrid::kSectors - 1) : -1;
-        hits.ring[i] = used ? PolarGrid::coordinate(r) : 0.0F;
+        const float range = ring[i];
+        const float x = px[i] + dx;
+        const float y = py[i] + dy;
+        const bool used = (range >= minRange) & (range <= maxRange) & (std::abs(pz[i]) < kMaxZ);
+        // A hit that is not used may hold anything: nothing of it gets to the conversion to int.
+        const float turn = turns(used ? x : 1.0F, used ? y : 0.0F);
+        sector[i] = static_cast<std::uint8_t>(static_cast<int>(turn * PolarGrid::kSectors));
+        const float coordinate = PolarGrid::coordinate(used ? range : 0.0F);
+        ring[i] = used ? coordinate : -1.0F;
     }
     return hits;
 }
 
-std::vector<LowHits> lowestHits(const PolarHits& hits, const PolarGrid& grid)
+std::vector<LowHits> lowestHits(const PointCloud& points, const PolarHits& hits,
+                                const PolarGrid& grid)
 {
-    std::vector<LowHits> cells(static_cast<std::size_t>(grid.cells()));
-    for (std::size_t i = 0; i < hits.size(); ++i)
+    const auto cells = static_cast<std::size_t>(grid.cells());
+    std::vector<std::array<Key, 2>> keys(cells, {kNoKey, kNoKey});
+    for (std::size_t i = 0; i < points.size(); ++i)
     {
-        if (hits.sector[i] < 0) continue;
+        if (hits.ring[i] < 0.0F) continue;
         const int cell = grid.cell(hits.sector[i], static_cast<int>(hits.ring[i]));
-        LowHits& low = cells[static_cast<std::size_t>(cell)];
-        const float z = hits.z[i];
-        if (z >= low.second) continue;
-        const auto index = static_cast<std::int32_t>(i);
-        if (z < low.lowest)
-        {
-            low.second = low.lowest;
-            low.secondIndex = low.index;
-            low.lowest = z;
-            low.index = index;
-        }
-        else
-        {
-            low.second = z;
-            low.secondIndex = index;
-        }
+        auto& low = keys[static_cast<std::size_t>(cell)];
+        const Key key = keyOf(points.z[i], i);
+        const Key higher = std::max(low[0], key);
+        low[0] = std::min(low[0], key);
+        low[1] = std::min(low[1], higher);
     }
-    return cells;
+    std::vector<LowHits> lowHits(cells);
+    for (std::size_t cell = 0; cell < cells; ++cell)
+        for (std::size_t k = 0; k < 2 && keys[cell][k] != kNoKey; ++k)
+        {
+            const auto i = static_cast<std::size_t>(keys[cell][k] & 0xFFFFFFFFU);
+            lowHits[cell][k] = {points.z[i] + hits.shift.z(), points.x[i] + hits.shift.x(),
+                                points.y[i] + hits.shift.y()};
+        }
+    return lowHits;
 }
 
 }  // namespace vdamf

@@ -2,6 +2,8 @@
 // Polar cells around the sensor, and where in them each hit of a frame lies.
 #pragma once
 
+#include <Eigen/Core>
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -35,31 +37,34 @@ struct PolarGrid
     int cell(int sector, int ring) const { return sector * rings + ring; }
 };
 
-/// The hits of a frame seen from the sensor, arrays of equal length.
+/// Where the hits of a frame lie, arrays as long as its points. Small on purpose: the time that
+/// ground removal takes is mostly the memory that it touches.
 struct PolarHits
 {
-    std::vector<float> x;             ///< east of the sensor, m
-    std::vector<float> y;             ///< north of the sensor, m
-    std::vector<float> z;             ///< above the sensor, m
-    std::vector<float> ring;          ///< PolarGrid::coordinate; 0 where the hit is not used
-    std::vector<std::int32_t> sector; ///< -1 where the hit is not used
-
-    std::size_t size() const { return x.size(); }
+    Eigen::Vector3f shift = Eigen::Vector3f::Zero();  ///< from the points to sensor coordinates, m
+    std::vector<float> ring;           ///< PolarGrid::coordinate; negative where not used
+    std::vector<std::uint8_t> sector;  ///< counter-clockwise from +x
 };
+static_assert(PolarGrid::kSectors == 256, "a sector fits a byte exactly");
 
 /// Hits out of the options' ranges or not finite are marked as not used.
 PolarHits locateHits(const LadarFrame& frame, const GroundOptions& options);
 
-/// The lowest hits of a cell: the candidates for its ground.
-struct LowHits
+/// A hit in sensor coordinates (world axes), m.
+struct LowHit
 {
-    float lowest = 1e9F;        ///< above the sensor, m
-    float second = 1e9F;        ///< the next one up, m
-    std::int32_t index = -1;       ///< of the lowest hit; -1: the cell is empty
-    std::int32_t secondIndex = -1; ///< -1: the cell has one hit at most
+    static constexpr float kNoHit = 1e9F;
+    float z = kNoHit;
+    float x = 0.0F, y = 0.0F;
+
+    bool seen() const { return z < kNoHit; }
 };
 
+/// The two lowest hits of a cell, the lowest first: the candidates for its ground.
+using LowHits = std::array<LowHit, 2>;
+
 /// One entry a cell.
-std::vector<LowHits> lowestHits(const PolarHits& hits, const PolarGrid& grid);
+std::vector<LowHits> lowestHits(const PointCloud& points, const PolarHits& hits,
+                                const PolarGrid& grid);
 
 }  // namespace vdamf

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which end is the front: from the way a track moves.
+// Which end is the front: from the way a track moves and from its shape.
 #include <algorithm>
 #include <cmath>
 
@@ -9,94 +9,123 @@ namespace vdamf
 {
 namespace
 {
-// Straight displacement over the path kept; nothing while it is too short to tell a course.
+constexpr double kCourseDistance = 1.5;  // m: beyond what measurement noise could feign
+constexpr double kForwardSpeed = 1.5;    // m/s
+constexpr double kReverseSpeed = 4.0;    // m/s: nobody reverses faster on a road
+
+// Straight displacement over the path kept.
 struct Course
 {
     double direction = 0.0;  // rad
     double distance = 0.0;   // m
     double duration = 0.0;   // s
+
+    // Speed along a heading, m/s.
+    double speedAlong(double heading) const
+    {
+        return duration > 0.0 ? distance / duration * std::cos(direction - heading) : 0.0;
+    }
 };
 
 Course courseOf(const Track& track)
 {
-    if (track.path.size() < 2) return {};
     const Eigen::Vector2d move = track.path.back().position - track.path.front().position;
     return {std::atan2(move.y(), move.x()), move.norm(),
             track.path.back().time - track.path.front().time};
 }
 
-// The track turned by a quarter, its length and width exchanged.
-Track quarterTurned(const Track& track, double heading, const TrackerOptions& options)
+// The path runs across the heading.
+bool drivesAcross(const Track& track, const Course& course)
 {
-    Track turned = track;
-    std::swap(turned.size.length, turned.size.width);
-    const Course course = courseOf(track);
-    turned.state.mean(kHeading) = wrapAngle(heading);
-    turned.state.mean(kSpeed) = course.distance / std::max(course.duration, 1e-3);
-    turned.state.mean(kCurvature) = 0.0;
-    turned.state.mean(kAxis) = options.motion.axisFraction * turned.size.length.mean;
-    // What was learned of speed and steering belonged to the wrong axis.
-    const double heading2 = track.state.covariance(kHeading, kHeading);
-    const Eigen::Matrix2d position = track.state.covariance.topLeftCorner<2, 2>();
-    turned.state.covariance.setZero();
-    turned.state.covariance.topLeftCorner<2, 2>() = position;
-    turned.state.covariance(kHeading, kHeading) = heading2;
-    turned.state.covariance(kSpeed, kSpeed) = 1.0;
-    turned.state.covariance(kCurvature, kCurvature) = 0.05 * 0.05;
-    turned.state.covariance(kAxis, kAxis) =
-        std::pow(options.motion.axisFractionSigma * turned.size.length.mean, 2);
-    turned.measurement.reset();
-    return turned;
+    if (track.path.size() < 5 || course.distance < kCourseDistance) return false;
+    const double off = course.direction - track.state.mean(kHeading);
+    return std::abs(std::sin(off)) > std::sin(kPi / 3.0) &&
+           course.distance > kForwardSpeed * course.duration;
+}
+
+// What is held for an end is too wide for one.
+bool endIsASide(const Track& track)
+{
+    const Measurement& m = *track.measurement;
+    if (!locatesWidth(m)) return false;
+    const double width = track.size.width.mean;
+    const bool tooWide = width > widestEnd(track.height);
+    if (!locatesLength(m)) return tooWide;
+    return width > 1.15 * track.size.length.mean || (tooWide && m.box.width > m.box.length);
+}
+
+// The track started anew with its measurement turned; it keeps its identity and history.
+Track quarterTurned(const Track& track, const Sighting& sighting, int quarters,
+                    const Course& course, const TrackerOptions& options)
+{
+    Sighting turned = sighting;
+    turned.measurement = turnedBy(*track.measurement, quarters);
+    const Track fresh = startedTrack(track.id, turned, options);
+    Track next = track;
+    next.state = fresh.state;
+    next.size = fresh.size;
+    next.measurement = fresh.measurement;
+    next.forwardSeen = false;
+    constexpr double kCourseTime = 0.3;  // s, from which on a path tells a speed
+    if (course.duration > kCourseTime)
+    {
+        next.state.mean(kSpeed) = course.speedAlong(next.state.mean(kHeading));
+        next.state.covariance(kSpeed, kSpeed) = 1.0;
+    }
+    return next;
+}
+
+// The prior of the axle's offset in place of what is known of it.
+void resetAxis(Track& track, const MotionOptions& motion)
+{
+    const double length = track.size.length.mean;
+    track.state.mean(kAxis) = motion.axisFraction * length;
+    track.state.covariance.row(kAxis).setZero();
+    track.state.covariance.col(kAxis).setZero();
+    track.state.covariance(kAxis, kAxis) = std::pow(motion.axisFractionSigma * length, 2);
+}
+
+// Front and rear exchanged. The path of the axis point stays what it is: speed and curvature
+// change sign. Its offset would as well, but nobody's axle lies that far in front: what is known
+// of it is dropped.
+Track reversed(const Track& track, const MotionOptions& motion)
+{
+    Track next = track;
+    Vector6d sign;
+    sign << 1.0, 1.0, 1.0, -1.0, -1.0, 1.0;
+    next.state.mean = sign.cwiseProduct(track.state.mean);
+    next.state.mean(kHeading) = wrapAngle(track.state.mean(kHeading) + kPi);
+    next.state.covariance = sign.asDiagonal() * track.state.covariance * sign.asDiagonal();
+    next.measurement = alignedWith(*track.measurement, next.state.mean(kHeading));
+    resetAxis(next, motion);
+    return next;
 }
 }  // namespace
 
-Track reversedTrack(const Track& track)
+double widestEnd(double height)
 {
-    Track reversed = track;
-    Vector6d& x = reversed.state.mean;
-    x(kHeading) = wrapAngle(x(kHeading) + kPi);
-    // The axis point's path stays what it is: speed, curvature and offset change sign.
-    Vector6d sign;
-    sign << 1.0, 1.0, 1.0, -1.0, -1.0, -1.0;
-    x(kSpeed) = -x(kSpeed);
-    x(kCurvature) = -x(kCurvature);
-    x(kAxis) = -x(kAxis);
-    reversed.state.covariance = sign.asDiagonal() * track.state.covariance * sign.asDiagonal();
-    if (track.measurement)
-        reversed.measurement = alignedWith(*track.measurement, x(kHeading));
-    return reversed;
+    constexpr double kLow = 2.2;  // m
+    return height < kLow ? 2.15 : 2.7;
 }
 
-Track headedAlongPath(const Track& track, const TrackerOptions& options)
+Track withCheckedHeading(const Track& track, const Sighting& sighting,
+                         const TrackerOptions& options)
 {
-    constexpr double kCourseDistance = 1.5;  // m: beyond what measurement noise could feign
-    constexpr double kForwardSpeed = 1.5;    // m/s
-    constexpr double kReverseSpeed = 4.0;    // m/s: nobody reverses faster on a road
-    Track next = track;
     const Course course = courseOf(track);
-    const double speed = track.state.mean(kSpeed);
-    const double sigma = std::sqrt(track.state.covariance(kSpeed, kSpeed));
-    if (course.distance > kCourseDistance && track.path.size() >= 5 && course.duration > 0.0)
+    if (drivesAcross(track, course))
     {
         const double off = wrapAngle(course.direction - track.state.mean(kHeading));
-        const bool across = std::abs(std::sin(off)) > std::sin(kPi / 3.0);
-        if (across && course.distance / course.duration > kForwardSpeed)
-            return quarterTurned(track, track.state.mean(kHeading) + (off > 0.0 ? 0.5 : -0.5) * kPi,
-                                 options);
+        return quarterTurned(track, sighting, off > 0.0 ? 1 : -1, course, options);
     }
-    if (speed > kForwardSpeed && speed > 3.0 * sigma && course.distance > kCourseDistance)
-        next.forwardSeen = true;
-    const double limit = next.forwardSeen ? kReverseSpeed : 0.5 * kForwardSpeed;
-    if (speed < -limit && speed < -3.0 * sigma &&
-        (course.distance > kCourseDistance || next.forwardSeen))
-    {
-        next = reversedTrack(next);
-        const double length = next.size.length.mean;
-        next.state.mean(kAxis) = options.motion.axisFraction * length;
-        next.state.covariance.row(kAxis).setZero();
-        next.state.covariance.col(kAxis).setZero();
-        next.state.covariance(kAxis, kAxis) = std::pow(options.motion.axisFractionSigma * length, 2);
-    }
+    if (endIsASide(track)) return quarterTurned(track, sighting, 1, course, options);
+
+    Track next = track;
+    const double speed = track.state.mean(kSpeed);
+    const bool moves = std::abs(speed) > 3.0 * std::sqrt(track.state.covariance(kSpeed, kSpeed)) &&
+                       course.distance > kCourseDistance;
+    if (moves && speed > kForwardSpeed) next.forwardSeen = true;
+    const double limit = track.forwardSeen ? kReverseSpeed : 0.5 * kForwardSpeed;
+    if (moves && speed < -limit) return reversed(next, options.motion);
     return next;
 }
 

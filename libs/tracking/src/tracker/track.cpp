@@ -77,7 +77,7 @@ Track sightedTrack(const Track& before, const Sighting& sighting, VehicleKalmanF
          track.sightings >= options.lifecycle.confirmHits))
         track.status = TrackStatus::Confirmed;
     appendToPath(track, sighting.time, pose.pose.head<2>());
-    return headedAlongPath(track, options);
+    return withCheckedHeading(track, sighting, options);
 }
 
 TrackReport reportOf(const Track& track)

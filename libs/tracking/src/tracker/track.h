@@ -60,12 +60,15 @@ Track startedTrack(std::uint64_t id, const Sighting& sighting, const TrackerOpti
 Track sightedTrack(const Track& track, const Sighting& sighting, VehicleKalmanFilter& filter,
                    const TrackerOptions& options);
 
-/// The same track with front and rear exchanged.
-Track reversedTrack(const Track& track);
+/// Width (m) above which a face cannot be a vehicle's end, by the vehicle's height (m): what is low
+/// is a car, trucks and buses are wider.
+double widestEnd(double height);
 
-/// The track turned to the course that its path shows, where that contradicts its heading: by a
-/// quarter turn with length and width exchanged, or by a half turn.
-Track headedAlongPath(const Track& track, const TrackerOptions& options);
+/// The track with its front where path and shape say it is: exchanged with the rear when it drives
+/// backwards for long, turned by a quarter when it drives across its heading or is wider than any
+/// vehicle's end. `sighting` is the one that was just taken in.
+Track withCheckedHeading(const Track& track, const Sighting& sighting,
+                         const TrackerOptions& options);
 
 TrackReport reportOf(const Track& track);
 

@@ -11,6 +11,13 @@ namespace vdamf
 {
 namespace
 {
+// Height of the highest hit above the local ground, m.
+double heightOf(const Cluster& cluster)
+{
+    if (cluster.height.empty()) return 0.0;
+    return *std::max_element(cluster.height.begin(), cluster.height.end());
+}
+
 // Local ground below clusters and the height of their highest hit above it.
 void addHeights(Sighting& sighting, const std::vector<const Cluster*>& clusters, double originZ)
 {
@@ -19,10 +26,8 @@ void addHeights(Sighting& sighting, const std::vector<const Cluster*>& clusters,
     for (const Cluster* cluster : clusters)
     {
         for (std::size_t i = 0; i < cluster->size(); ++i)
-        {
             ground += cluster->z[i] - cluster->height[i];
-            sighting.height = std::max<double>(sighting.height, cluster->height[i]);
-        }
+        sighting.height = std::max(sighting.height, heightOf(*cluster));
         count += static_cast<double>(cluster->size());
     }
     sighting.groundZ = originZ + (count > 0.0 ? ground / count : 0.0);
@@ -183,7 +188,8 @@ private:
         for (std::size_t i = 0; i < clusters.size(); ++i)
         {
             if (claimed[i] || !mayStart(clusters[i], hits[i])) continue;
-            const OrientedBox start = startBox(hits[i], sensor, options_.measurement.fit);
+            const OrientedBox start =
+                startBox(hits[i], sensor, widestEnd(heightOf(clusters[i])), options_.measurement.fit);
             if (std::hypot(start.length, start.width) > options_.lifecycle.maxExtent) continue;
             const Sighting s = sighting(frame, hits[i], {&clusters[i]}, start, std::nullopt);
             tracks_.push_back(startedTrack(nextId_++, s, options_));
@@ -194,7 +200,7 @@ private:
     {
         const LifecycleOptions& o = options_.lifecycle;
         if (hits.totalWeight < o.minHits) return false;
-        return *std::max_element(cluster.height.begin(), cluster.height.end()) >= o.minHeight;
+        return heightOf(cluster) >= o.minHeight;
     }
 
     // Two tracks on one object: the older one stays.

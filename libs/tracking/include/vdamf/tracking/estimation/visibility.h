@@ -37,11 +37,11 @@ struct VisibilityOptions
         field(self.sizeDriftSigma, "size_drift_sigma", 0.0, 1.0,
               "drift that the average of measured sizes allows, m / sqrt(frame)");
         field(self.assumeVehicleSize, "assume_vehicle_size",
-              "a hidden length or width is a car's where the seen one fits a car");
-        field(self.carLength, "car_length_m", 2.0, 8.0, "assumed for a hidden length");
-        field(self.carLengthSigma, "car_length_sigma_m", 0.05, 3.0, "of that assumption");
-        field(self.carWidth, "car_width_m", 1.0, 3.0, "assumed for a hidden width");
-        field(self.carWidthSigma, "car_width_sigma_m", 0.02, 1.0, "of that assumption");
+              "sizes start from a car's where a seen end or side fits a car");
+        field(self.carLength, "car_length_m", 2.0, 8.0, "of an assumed car");
+        field(self.carLengthSigma, "car_length_sigma_m", 0.05, 3.0, "of the assumed length");
+        field(self.carWidth, "car_width_m", 1.0, 3.0, "of an assumed car");
+        field(self.carWidthSigma, "car_width_sigma_m", 0.02, 1.0, "of the assumed width");
     }
 };
 
@@ -64,7 +64,7 @@ struct SizeMemory
 inline bool locatesLength(const Measurement& m) { return m.facesSeen.seesSide(); }
 inline bool locatesWidth(const Measurement& m) { return m.facesSeen.seesEnd(); }
 
-/// Memory of a new track.
+/// Memory of a new track: what is measured, after a car's size where that fits (assumeVehicleSize).
 SizeMemory initialSize(const Measurement& measurement, const VisibilityOptions& options);
 
 /// Memory after another measurement. A size clearly below the average is a loss of visibility and
@@ -88,6 +88,10 @@ VehicleState resized(const VehicleState& state, const SizeMemory& before, const 
 /// does not enter. Measurement and sensor share their origin.
 PoseMeasurement anchoredPose(const Measurement& measurement, const SizeMemory& size,
                              const Eigen::Vector2d& sensor, const VisibilityOptions& options);
+
+/// The same measurement with its front turned counter-clockwise by quarter turns: odd ones exchange
+/// length and width.
+Measurement turnedBy(const Measurement& measurement, int quarters);
 
 /// The same measurement with its front on the side of `heading`.
 Measurement alignedWith(const Measurement& measurement, double heading);

@@ -26,7 +26,7 @@ struct EnumNames<FilterKind>
 
 struct MeasureOptions
 {
-    FilterKind filter = FilterKind::Paper;
+    FilterKind filter = FilterKind::CoarseToFine;
     double sigma = 0.2;          ///< m
     double mergeCell = 0.1;      ///< m
     double hitSigma = 0.12;      ///< m
@@ -69,8 +69,10 @@ Measurement measureTarget(const Hits& hits, const Eigen::Vector2d& sensor,
 
 /// Start for hits of which nothing is known (4.3: "the boundaries of each cluster provide a
 /// starting state"): the rectangle around them whose edges they follow best, with the heading
-/// along its longer side, unless that is too short for a vehicle's side and so must be its end.
-/// Of the two directions along the heading the one away from the sensor is taken.
-OrientedBox startBox(const Hits& hits, const Eigen::Vector2d& sensor, const FitOptions& options);
+/// along its longer side, unless it is a single row no longer than `widestEnd` (m), which is taken
+/// for a vehicle's end. Of the two directions along the heading the one away from the sensor is
+/// taken.
+OrientedBox startBox(const Hits& hits, const Eigen::Vector2d& sensor, double widestEnd,
+                     const FitOptions& options);
 
 }  // namespace vdamf

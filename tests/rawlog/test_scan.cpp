@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vdamf/rawlog/scan.h"
+
+#include <gtest/gtest.h>
+#include <mrpt/maps/CSimplePointsMap.h>
+#include <mrpt/obs/CObservationOdometry.h>
+
+#include <cmath>
+#include <limits>
+
+#include "../files/temporary_folder.h"
+#include "example_objects.h"
+#include "vdamf/rawlog/velodyne_packets.h"
+#include "vdamf/tracking/types/geometry.h"
+
+namespace vdamf
+{
+namespace
+{
+using mrpt::obs::CObservationPointCloud;
+
+class ScanTest : public TemporaryFolder
+{
+};
+
+TEST_F(ScanTest, IsAPointCloudOrAVelodyneScan)
+{
+    EXPECT_TRUE(isScan(test::pointCloud(1)));
+    EXPECT_TRUE(isScan(mrpt::obs::CObservationVelodyneScan()));
+    EXPECT_FALSE(isScan(test::odometry(1)));
+    EXPECT_FALSE(scanFrom(test::odometry(1)).has_value());
+}
+
+TEST_F(ScanTest, PointsAreInTheVehicleFrame)
+{
+    CObservationPointCloud observation = test::pointCloud(3, 1.5e9 + 0.125);
+    // Turned left, tilted down by 30 degrees, 2 m above the vehicle.
+    observation.sensorPose = mrpt::poses::CPose3D(1.0, 0.0, 2.0, kPi / 2.0, kPi / 6.0, 0.0);
+    const auto scan = scanFrom(observation);
+    ASSERT_TRUE(scan);
+    EXPECT_NEAR(1.5e9 + 0.125, scan->time, 1e-6);
+    EXPECT_EQ("ladar", scan->sensorLabel);
+    EXPECT_EQ(Eigen::Vector3d(1.0, 0.0, 2.0), scan->sensorInVehicle);
+    ASSERT_EQ(3u, scan->points.size());
+    // Sensor point (2, 1, 1): forward leans down, up leans forward, then forward is left.
+    const double c = std::cos(kPi / 6.0);
+    const double s = std::sin(kPi / 6.0);
+    EXPECT_NEAR(1.0 - 1.0, scan->points.x[1], 1e-5);
+    EXPECT_NEAR(2.0 * c + 1.0 * s, scan->points.y[1], 1e-5);
+    EXPECT_NEAR(2.0 - 2.0 * s + 1.0 * c, scan->points.z[1], 1e-5);
+    EXPECT_EQ(std::vector<float>(3, 0.25F), scan->points.intensity);
+    EXPECT_TRUE(scan->points.time.empty());
+}
+
+TEST_F(ScanTest, DropsWhatIsNoReturn)
+{
+    CObservationPointCloud observation = test::pointCloud(5);
+    auto& map = *observation.pointcloud;
+    map.setPointFast(1, 0.0F, 0.0F, 0.0F);
+    map.setPointFast(3, std::nanf(""), 1.0F, 1.0F);
+    map.setPointFast(4, std::numeric_limits<float>::infinity(), 1.0F, 1.0F);
+    const auto scan = scanFrom(observation);
+    ASSERT_TRUE(scan);
+    EXPECT_EQ(std::vector<float>({1.0F, 3.0F}), scan->points.x);
+    EXPECT_EQ(2u, scan->points.intensity.size());
+}
+
+TEST_F(ScanTest, ScalesIntensitiesToOne)
+{
+    CObservationPointCloud observation = test::pointCloud(2);
+    auto& map = dynamic_cast<mrpt::maps::CPointsMapXYZI&>(*observation.pointcloud);
+    map.setPointIntensity(0, 255.0F);
+    map.setPointIntensity(1, 51.0F);
+    EXPECT_EQ(std::vector<float>({1.0F, 0.2F}), scanFrom(observation)->points.intensity);
+}
+
+TEST_F(ScanTest, PlainPointsHaveNoIntensity)
+{
+    CObservationPointCloud observation = test::pointCloud(0);
+    auto map = mrpt::maps::CSimplePointsMap::Create();
+    map->insertPoint(1.0F, 2.0F, 3.0F);
+    observation.pointcloud = map;
+    const auto scan = scanFrom(observation);
+    ASSERT_EQ(1u, scan->points.size());
+    EXPECT_TRUE(scan->points.intensity.empty());
+}
+
+TEST_F(ScanTest, LoadsPointsFromTheirFileForAWhile)
+{
+    CObservationPointCloud observation = test::pointCloud(7);
+    const auto file = at("points.bin");
+    observation.setAsExternalStorage(
+        file, CObservationPointCloud::ExternalStorageFormat::MRPT_Serialization);
+    observation.unload();
+    ASSERT_TRUE(std::filesystem::exists(file));
+    const auto scan = scanFrom(observation);
+    EXPECT_EQ(7u, scan->points.size());
+    EXPECT_FALSE(observation.pointcloud);
+}
+
+TEST_F(ScanTest, SaysWhatItCannotRead)
+{
+    CObservationPointCloud observation = test::pointCloud(0);
+    observation.pointcloud.reset();
+    EXPECT_EQ("mrpt::obs::CObservationPointCloud 'ladar': it has no point cloud",
+              errorOf([&] { scanFrom(observation); }));
+    observation.setAsExternalStorage(
+        at("missing.bin"), CObservationPointCloud::ExternalStorageFormat::MRPT_Serialization);
+    const std::string error = errorOf([&] { scanFrom(observation); });
+    EXPECT_NE(std::string::npos, error.find("missing.bin")) << error;
+    EXPECT_EQ(std::string::npos, error.find("backtrace")) << error;
+    EXPECT_FALSE(std::filesystem::exists(at("missing.bin")));
+
+    CObservationPointCloud timeless = test::pointCloud(1);
+    timeless.timestamp = INVALID_TIMESTAMP;
+    EXPECT_NE(std::string::npos, errorOf([&] { scanFrom(timeless); }).find("no time"));
+}
+
+TEST_F(ScanTest, OfVelodynePackets)
+{
+    VelodyneFiring firing;
+    firing.range.assign(16, 20.0F);
+    firing.intensity.assign(16, 1.0F);
+    auto observation = encodeVelodyne(VelodyneModel::VLP16, 1.5e9, {firing, firing});
+    observation.sensorPose = mrpt::poses::CPose3D(0.0, 0.0, 2.0, kPi, 0.0, 0.0);
+    observation.sensorLabel = "top";
+    const auto scan = scanFrom(observation);
+    ASSERT_TRUE(scan);
+    ASSERT_EQ(32u, scan->points.size());
+    EXPECT_NEAR(-20.0 * std::cos(kPi / 12.0), scan->points.x[0], 1e-4);
+    EXPECT_NEAR(2.0 - 20.0 * std::sin(kPi / 12.0), scan->points.z[0], 1e-4);
+    EXPECT_NEAR(55.296e-6, scan->points.time[16], 1e-8);
+}
+
+}  // namespace
+}  // namespace vdamf
