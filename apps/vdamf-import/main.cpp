@@ -101,9 +101,8 @@ void addKittiRaw(CLI::App& app, CommandLine& line)
         ->check(CLI::Range(0, 9))
         ->capture_default_str();
 }
-}  // namespace
 
-int main(int argc, char** argv)
+int run(int argc, char** argv)
 {
     CommandLine line;
     CLI::App app("Converts recordings of other formats to MRPT rawlogs.");
@@ -123,9 +122,15 @@ int main(int argc, char** argv)
     }
     std::signal(SIGINT, requestStop);
     std::signal(SIGTERM, requestStop);
+    return importKitti(line);
+}
+}  // namespace
+
+int main(int argc, char** argv)
+{
     try
     {
-        return importKitti(line);
+        return run(argc, argv);
     }
     catch (const std::exception& error)
     {

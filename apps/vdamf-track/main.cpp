@@ -136,9 +136,11 @@ void printSummary(const vdamf::TrackRawlogSummary& s)
     row("INS poses", s.insSource);
     if (s.nisCount > 0)
     {
-        const double mean = s.nisSum / static_cast<double>(s.nisCount);
-        std::printf("  %-18s %.2f over %llu updates (3.00 expected)\n", "mean NIS", mean,
-                    static_cast<unsigned long long>(s.nisCount));
+        const auto percent = [&](std::uint64_t part)
+        { return 100.0 * static_cast<double>(part) / static_cast<double>(s.nisCount); };
+        std::printf("  %-18s %.0f %% below the median, %.1f %% above the 99 %% point "
+                    "(expected 50 and 1)\n",
+                    "NIS of updates", percent(s.nisBelowMedian), percent(s.nisAbove99));
     }
     std::printf("\n  per frame\n");
     ms("reading", s.readSeconds);

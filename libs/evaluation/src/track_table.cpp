@@ -165,6 +165,7 @@ const std::vector<std::string>& trackColumns()
     static const std::vector<std::string> kNames = []
     {
         std::vector<std::string> names;
+        names.reserve(kColumns.size());
         for (const Column& column : kColumns) names.emplace_back(column.name);
         return names;
     }();

@@ -17,6 +17,10 @@ namespace vdamf
 {
 namespace
 {
+// Of 3 degrees of freedom.
+constexpr double kChiSquareMedian = 2.366;
+constexpr double kChiSquare99 = 11.345;
+
 // Adds the time that a scope takes to a sum.
 class Stopwatch
 {
@@ -181,8 +185,9 @@ private:
             if (track.status == TrackStatus::Confirmed) confirmed_.insert(track.id);
             if (track.nis && track.status == TrackStatus::Confirmed)
             {
-                summary_.nisSum += *track.nis;
                 ++summary_.nisCount;
+                if (*track.nis < kChiSquareMedian) ++summary_.nisBelowMedian;
+                if (*track.nis > kChiSquare99) ++summary_.nisAbove99;
             }
         }
         summary_.tracksConfirmed = confirmed_.size();

@@ -79,4 +79,26 @@ OrientedBox startBox(const Hits& hits, const Eigen::Vector2d& sensor, double wid
             std::clamp(width, options.minWidth, options.maxWidth)};
 }
 
+OrientedBox movedOntoHits(const OrientedBox& box, const Hits& hits, const Eigen::Vector2d& sensor)
+{
+    if (hits.size() == 0) return box;
+    const Bounds bounds = boundsAt(hits, box.heading);
+    const Eigen::Vector2d view = toBoxFrame(box, sensor);
+    // Along each axis: the near face if the sensor is beyond it, the middle if it is abreast.
+    const auto centreAlong = [](double min, double max, double size, double sensorAlong)
+    {
+        if (sensorAlong > 0.5 * size) return max - 0.5 * size;
+        if (sensorAlong < -0.5 * size) return min + 0.5 * size;
+        return 0.5 * (min + max);
+    };
+    const Eigen::Vector2d centre =
+        rotation(box.heading) *
+        Eigen::Vector2d(centreAlong(bounds.minX, bounds.maxX, box.length, view.x()),
+                        centreAlong(bounds.minY, bounds.maxY, box.width, view.y()));
+    OrientedBox moved = box;
+    moved.x = centre.x();
+    moved.y = centre.y();
+    return moved;
+}
+
 }  // namespace vdamf

@@ -13,19 +13,22 @@ namespace vdamf
 namespace
 {
 // Angle from +x in units of a full turn, within 0.004 rad: cells need no better. Without a branch
-// and without a library call, so that the compiler vectorises the loop around it.
+// or a call, so that the loop around it becomes vector instructions.
 inline float turns(float x, float y)
 {
     const float ax = std::abs(x);
     const float ay = std::abs(y);
-    const float big = ax > ay ? ax : ay;
-    const float small = ax > ay ? ay : ax;
+    const float difference = ax - ay;
+    const float small = 0.5F * (ax + ay - std::abs(difference));
+    const float big = 0.5F * (ax + ay + std::abs(difference));
     const float t = small / (big + 1e-9F);
     const float octant = t * (0.125F + 0.0434F * (1.0F - t));
-    const float quadrant = ay > ax ? 0.25F - octant : octant;
-    const float half = x < 0.0F ? 0.5F - quadrant : quadrant;
-    return y < 0.0F ? 1.0F - half : half;
+    // Mirrored at the diagonal where |y| > |x|, then at the axes.
+    const float quadrant = 0.125F - std::copysign(0.125F - octant, difference);
+    const float half = 0.25F - std::copysign(0.25F - quadrant, x);
+    return 0.5F - std::copysign(0.5F - half, y);
 }
+
 // Height and index of a hit in one integer, so that the lowest two of a cell are two minima and
 // not branches, which would go either way at every hit.
 using Key = std::uint64_t;
@@ -41,12 +44,13 @@ inline Key keyOf(float z, std::size_t index)
 PolarHits locateHits(const LadarFrame& frame, const GroundOptions& options)
 {
     const PointCloud& points = frame.points;
-    const auto n = static_cast<Eigen::Index>(points.size());
+    const std::size_t size = points.size();
+    const auto n = static_cast<Eigen::Index>(size);
     PolarHits hits{(frame.origin - frame.sensor).cast<float>(), {}, {}};
     const float dx = hits.shift.x();
     const float dy = hits.shift.y();
-    hits.ring.resize(points.size());
-    hits.sector.resize(points.size());
+    hits.ring.resize(size);
+    hits.sector.resize(size);
     // Eigen's square root is a vector instruction; the library's has a branch for errno.
     Eigen::Map<Eigen::ArrayXf>(hits.ring.data(), n) =
         ((Eigen::Map<const Eigen::ArrayXf>(points.x.data(), n) + dx).square() +
@@ -62,17 +66,15 @@ PolarHits locateHits(const LadarFrame& frame, const GroundOptions& options)
     const float* const pz = points.z.data();
     float* const ring = hits.ring.data();
     std::uint8_t* const sector = hits.sector.data();
-    for (std::size_t i = 0; i < points.size(); ++i)
+    for (std::size_t i = 0; i < size; ++i)
     {
         const float range = ring[i];
-        const float x = px[i] + dx;
-        const float y = py[i] + dy;
         const bool used = (range >= minRange) & (range <= maxRange) & (std::abs(pz[i]) < kMaxZ);
-        // A hit that is not used may hold anything: nothing of it gets to the conversion to int.
-        const float turn = turns(used ? x : 1.0F, used ? y : 0.0F);
-        sector[i] = static_cast<std::uint8_t>(static_cast<int>(turn * PolarGrid::kSectors));
-        const float coordinate = PolarGrid::coordinate(used ? range : 0.0F);
-        ring[i] = used ? coordinate : -1.0F;
+        const float unusedOffset = used ? 0.0F : -1000.0F;
+        // A hit that is not used may hold anything: only numbers in range get to be an int.
+        const float turn = turns(px[i] + dx, py[i] + dy) * PolarGrid::kSectors;
+        sector[i] = static_cast<std::uint8_t>(static_cast<int>(turn > 0.0F ? turn : 0.0F));
+        ring[i] = PolarGrid::coordinate(range < maxRange ? range : maxRange) + unusedOffset;
     }
     return hits;
 }

@@ -47,6 +47,7 @@ Track startedTrack(std::uint64_t id, const Sighting& sighting, const TrackerOpti
     track.sightings = 1;
     track.lastSeen = sighting.time;
     track.measurement = m;
+    track.lastMatch = m.match;
     if (options.lifecycle.confirmHits <= 1) track.status = TrackStatus::Confirmed;
     appendToPath(track, sighting.time, track.state.mean.head<2>());
     return track;
@@ -67,6 +68,7 @@ Track sightedTrack(const Track& before, const Sighting& sighting, VehicleKalmanF
                       track.size.length.mean);
     track.state = updated.state;
     track.measurement = m;
+    track.lastMatch = m.match;
     track.groundZ = sighting.groundZ;
     track.height = std::max(sighting.height, 0.95 * track.height + 0.05 * sighting.height);
     ++track.sightings;

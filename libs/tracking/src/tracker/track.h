@@ -40,6 +40,7 @@ struct Track
     int sightings = 0;
     int misses = 0;            ///< frames since the last sighting
     double lastSeen = 0.0;     ///< s
+    double lastMatch = 0.0;    ///< response per hit of the last sighting, 1/m
     bool forwardSeen = false;  ///< it drove forward: the front is known
     std::deque<PathPoint> path;  ///< sightings of the last second
     // Of the current frame:

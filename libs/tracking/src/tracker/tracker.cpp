@@ -108,9 +108,7 @@ private:
         all.reserve(tracks_.size());
         for (const Track& track : tracks_)
         {
-            const double variance =
-                0.5 * track.state.covariance.topLeftCorner<2, 2>().trace();
-            all.push_back({relativeTo(track.box(), origin), std::sqrt(variance),
+            all.push_back({relativeTo(track.box(), origin), positionSigma(track),
                            std::sqrt(track.size.length.variance),
                            std::sqrt(track.size.width.variance)});
         }
@@ -133,11 +131,31 @@ private:
                 all = joined(all, hits[assignment[j][k]]);
                 parts.push_back(&clusters[assignment[j][k]]);
             }
-            const OrientedBox start = relativeTo(tracks_[j].box(), frame.origin);
-            sightings[j] = sighting(frame, all, parts, start,
-                                    Eigen::Vector2d(start.length, start.width));
+            sightings[j] = sightingOf(tracks_[j], frame, all, parts);
         }
         return sightings;
+    }
+
+    // From the predicted pose; where that is vague, or explains the hits much worse than before,
+    // also from where the hits are. The better response wins.
+    Sighting sightingOf(const Track& track, const LadarFrame& frame, const Hits& hits,
+                        const std::vector<const Cluster*>& parts) const
+    {
+        constexpr double kVague = 0.3;      // m
+        constexpr double kPoorMatch = 0.6;  // of the last one
+        const OrientedBox start = relativeTo(track.box(), frame.origin);
+        const Eigen::Vector2d size(start.length, start.width);
+        Sighting best = sighting(frame, hits, parts, start, size);
+        if (positionSigma(track) < kVague && best.measurement.match > kPoorMatch * track.lastMatch)
+            return best;
+        const Eigen::Vector2d sensor = (frame.sensor - frame.origin).head<2>();
+        Sighting other = sighting(frame, hits, parts, movedOntoHits(start, hits, sensor), size);
+        return other.measurement.match > best.measurement.match ? other : best;
+    }
+
+    static double positionSigma(const Track& track)
+    {
+        return std::sqrt(0.5 * track.state.covariance.topLeftCorner<2, 2>().trace());
     }
 
     Sighting sighting(const LadarFrame& frame, const Hits& hits,

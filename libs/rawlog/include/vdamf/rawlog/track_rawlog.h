@@ -45,8 +45,9 @@ struct TrackRawlogSummary
     /// Seconds spent: reading (with parsing), scan to world frame, the tracker's stages, writing.
     double readSeconds = 0.0, frameSeconds = 0.0, writeSeconds = 0.0;
     std::array<double, 7> stageSeconds{};        ///< by Stage
-    double nisSum = 0.0;
-    std::uint64_t nisCount = 0;
+    /// Updates of confirmed tracks, and how many had an NIS below the median and above the 99 %
+    /// point of the chi-square distribution with 3 degrees of freedom.
+    std::uint64_t nisCount = 0, nisBelowMedian = 0, nisAbove99 = 0;
     bool interrupted = false;
 };
 

@@ -75,4 +75,8 @@ Measurement measureTarget(const Hits& hits, const Eigen::Vector2d& sensor,
 OrientedBox startBox(const Hits& hits, const Eigen::Vector2d& sensor, double widestEnd,
                      const FitOptions& options);
 
+/// A box of the same heading and size moved so that its faces towards the sensor lie where the hits
+/// begin: a start for a target whose predicted position is vague.
+OrientedBox movedOntoHits(const OrientedBox& box, const Hits& hits, const Eigen::Vector2d& sensor);
+
 }  // namespace vdamf
