@@ -16,7 +16,10 @@ namespace
 {
 std::atomic<bool> interrupted{false};
 
-void onSignal(int) { interrupted = true; }
+void onSignal(int)
+{
+    interrupted = true;
+}
 
 struct Cli
 {
@@ -47,8 +50,9 @@ void declare(CLI::App& app, Cli& cli)
     app.add_flag("-q,--quiet", cli.quiet, "no progress, no summary");
     app.add_flag("--print-config", cli.printConfig,
                  "print the effective configuration as ini and exit");
-    app.footer("Example:\n  vdamf-track -i street.rawlog -o street_tracked.rawlog "
-               "--tracks tracks.csv --picture street.svg");
+    app.footer(
+        "Example:\n  vdamf-track -i street.rawlog -o street_tracked.rawlog "
+        "--tracks tracks.csv --picture street.svg");
 }
 
 // "A:B", either side may be empty. Throws std::invalid_argument.
@@ -138,9 +142,10 @@ void printSummary(const vdamf::TrackRawlogSummary& s)
     {
         const auto percent = [&](std::uint64_t part)
         { return 100.0 * static_cast<double>(part) / static_cast<double>(s.nisCount); };
-        std::printf("  %-18s %.0f %% below the median, %.1f %% above the 99 %% point "
-                    "(expected 50 and 1)\n",
-                    "NIS of updates", percent(s.nisBelowMedian), percent(s.nisAbove99));
+        std::printf(
+            "  %-18s %.0f %% below the median, %.1f %% above the 99 %% point "
+            "(expected 50 and 1)\n",
+            "NIS of updates", percent(s.nisBelowMedian), percent(s.nisAbove99));
     }
     std::printf("\n  per frame\n");
     ms("reading", s.readSeconds);

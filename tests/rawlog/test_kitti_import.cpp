@@ -126,14 +126,22 @@ TEST_F(KittiImportTest, GpsHasPositionAndTime)
     const auto gps = std::dynamic_pointer_cast<CObservationGPS>(observationsOf(job_.rawlog).at(1));
     ASSERT_TRUE(gps);
     ASSERT_TRUE(gps->hasMsgClass<mrpt::obs::gnss::Message_NMEA_GGA>());
+    // The message is packed: take copies, not references.
     const auto& gga = gps->getMsgByClass<mrpt::obs::gnss::Message_NMEA_GGA>().fields;
-    EXPECT_EQ(gga.latitude_degrees, 49.0);
-    EXPECT_EQ(gga.longitude_degrees, 8.4);
-    EXPECT_EQ(gga.altitude_meters, 116.5);
-    EXPECT_EQ(gga.satellitesUsed, 9U);
-    EXPECT_EQ(gga.UTCTime.hour, 13);
-    EXPECT_EQ(gga.UTCTime.minute, 2);
-    EXPECT_NEAR(gga.UTCTime.sec, 25.964, 1e-6);
+    const double latitude = gga.latitude_degrees;
+    const double longitude = gga.longitude_degrees;
+    const double altitude = gga.altitude_meters;
+    const std::uint32_t satellites = gga.satellitesUsed;
+    const int hour = gga.UTCTime.hour;
+    const int minute = gga.UTCTime.minute;
+    const double second = gga.UTCTime.sec;
+    EXPECT_EQ(latitude, 49.0);
+    EXPECT_EQ(longitude, 8.4);
+    EXPECT_EQ(altitude, 116.5);
+    EXPECT_EQ(satellites, 9U);
+    EXPECT_EQ(hour, 13);
+    EXPECT_EQ(minute, 2);
+    EXPECT_NEAR(second, 25.964, 1e-6);
 }
 
 TEST_F(KittiImportTest, PointsStayInTheSensorsFrame)

@@ -81,11 +81,13 @@ bool isAnnotation(const mrpt::obs::CObservation& observation)
 
 mrpt::obs::CObservationComment headComment(const std::string& version, const std::string& origin,
                                            const std::string& insSource,
-                                           const Configuration& configuration)
+                                           const Configuration& configuration,
+                                           mrpt::Clock::time_point stamp)
 {
     std::string columns;
     for (const std::string& c : trackColumns()) columns += (columns.empty() ? "" : ",") + c;
     mrpt::obs::CObservationComment comment;
+    comment.timestamp = stamp;
     comment.text = "[vdamf]\nversion = " + version +
                    "\nworld = x east, y north, z up\norigin = " + origin + "\nins = " + insSource +
                    "\ntable_label = vdamf_tracks\ntable_columns = " + columns + "\n\n" +

@@ -92,6 +92,8 @@ std::size_t InsTrajectory::samplesTaken() const
 }
 std::size_t InsTrajectory::samplesDropped() const
 {
+    // As long as no source is chosen, either could have been it.
+    if (impl_->source == InsSource::Auto) return impl_->robotPose.dropped() + impl_->gps.dropped();
     return impl_->chosen().dropped();
 }
 

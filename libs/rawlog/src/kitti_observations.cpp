@@ -18,8 +18,9 @@ mrpt::poses::CPose3D toPose3D(const Eigen::Isometry3d& pose)
 mrpt::obs::gnss::UTC_time utcTime(mrpt::Clock::time_point time)
 {
     constexpr std::int64_t kTicksPerMinute = 600'000'000;
+    constexpr std::int64_t kTicksPerDay = 864'000'000'000;
     // The clock starts at midnight, and UTC's days have no other length in it.
-    const std::int64_t ticks = time.time_since_epoch().count() % (24 * 60 * kTicksPerMinute);
+    const std::int64_t ticks = time.time_since_epoch().count() % kTicksPerDay;
     mrpt::obs::gnss::UTC_time utc;
     utc.hour = static_cast<uint8_t>(ticks / (60 * kTicksPerMinute));
     utc.minute = static_cast<uint8_t>(ticks / kTicksPerMinute % 60);

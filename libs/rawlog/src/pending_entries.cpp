@@ -62,20 +62,33 @@ bool PendingEntries::readOne()
     return true;
 }
 
+bool PendingEntries::mayReadAhead() const
+{
+    return !atEnd_ && bytes_ < kLookAheadBytes;
+}
+
+bool PendingEntries::waitsForPose(const PendingEntry& entry) const
+{
+    return std::any_of(
+        entry.scans.begin(), entry.scans.end(),
+        [this](const PendingScan& scan)
+        { return !scan.done && !ins_.covers(scan.time) && newestTime_ < scan.time + kLookAhead; });
+}
+
 bool PendingEntries::prepareFirst()
 {
     if (entries_.empty() && !readOne()) return false;
-    const auto waiting = [this]
-    {
-        const auto& scans = entries_.front().scans;
-        return std::any_of(scans.begin(), scans.end(),
-                           [this](const PendingScan& scan) {
-                               return !scan.done && !ins_.covers(scan.time) &&
-                                      newestTime_ < scan.time + kLookAhead;
-                           });
-    };
-    while (!atEnd_ && bytes_ < kLookAheadBytes && waiting()) readOne();
+    while (mayReadAhead() && waitsForPose(entries_.front())) readOne();
     return true;
+}
+
+PendingScan* PendingEntries::prepareFirstScan()
+{
+    while (mayReadAhead() && (entries_.empty() || entries_.back().scans.empty())) readOne();
+    if (entries_.empty() || entries_.back().scans.empty()) return nullptr;
+    const std::size_t first = entries_.size() - 1;
+    while (mayReadAhead() && waitsForPose(entries_[first])) readOne();
+    return &entries_[first].scans.front();
 }
 
 PendingEntry PendingEntries::popFirst()

@@ -38,6 +38,9 @@ public:
     /// Reads until the first entry's scans have their poses, or will not get them; false at the
     /// end of the rawlog.
     bool prepareFirst();
+    /// Reads until an entry with scans is there and its scans have their poses, or will not get
+    /// them; nothing if the look-ahead or the rawlog ends before.
+    PendingScan* prepareFirstScan();
     PendingEntry& first() { return entries_.front(); }
     PendingEntry popFirst();
 
@@ -46,6 +49,8 @@ public:
 
 private:
     bool readOne();
+    bool mayReadAhead() const;
+    bool waitsForPose(const PendingEntry& entry) const;
 
     RawlogReader& reader_;
     InsTrajectory& ins_;

@@ -154,6 +154,12 @@ void RawlogWriter::commit()
     impl_->guarded([&] { impl_->commit(); });
 }
 
+void RawlogWriter::discard()
+{
+    impl_->options.unfinished = OutputFile::Unfinished::Discard;
+    impl_->file.discard();
+}
+
 const std::filesystem::path& RawlogWriter::partialPath() const
 {
     return impl_->file.partialPath();

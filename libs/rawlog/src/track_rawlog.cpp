@@ -73,6 +73,9 @@ public:
 
     TrackRawlogSummary run(const std::atomic<bool>& stop)
     {
+        // The head of the output names the world's origin, which the first scan settles.
+        if (PendingScan* scan = pending_.prepareFirstScan())
+            track(*pending_.earliestScanUntil(scan->time));
         while (!stop && !finished_ && prepareFirst())
         {
             PendingEntry& first = pending_.first();
@@ -84,11 +87,12 @@ public:
         summary_.interrupted = stop;
         summary_.read = reader_.summary();
         summary_.insSource = ins_.sourceName();
-        checkUsable();
+        // An interrupted run leaves its outputs unfinished: they stay as `.partial`.
         if (!summary_.interrupted)
+        {
+            checkUsable();
             commit();
-        else
-            flush();
+        }
         return summary_;
     }
 
@@ -214,19 +218,22 @@ private:
         for (const PendingScan& scan : entry.scans) writer_->writeBytes(scan.annotations);
     }
 
-    // The world's origin is known once the first scan has its pose: entries before it wait here.
     void writeHead()
     {
         if (headWritten_) return;
         headWritten_ = true;
-        writer_->write(
-            headComment(job_.version, ins_.originText(), ins_.sourceName(), job_.configuration));
+        writer_->write(headComment(job_.version, ins_.originText(), ins_.sourceName(),
+                                   job_.configuration,
+                                   mrpt::Clock::fromDouble(summary_.firstTime)));
     }
 
-    void checkUsable() const
+    // A run without any frame has failed: it throws, with the reason, and leaves no output.
+    void checkUsable()
     {
         const std::string name = job_.input.string();
-        if (summary_.interrupted || summary_.frames > 0) return;
+        if (summary_.frames > 0) return;
+        if (writer_) writer_->discard();
+        if (table_) table_->discard();
         if (summary_.scans == 0)
             throw std::runtime_error(
                 name + ": no scans" +
@@ -243,11 +250,6 @@ private:
             throw std::runtime_error(name + ": no scan could be read: " + summary_.firstUnreadable);
         throw std::runtime_error(name + ": no frame in the range asked for (" +
                                  std::to_string(summary_.scans) + " scans)");
-    }
-
-    void flush()
-    {
-        if (writer_) writer_->flush();
     }
 
     void commit()

@@ -96,7 +96,8 @@ std::string BirdsEye::tracksSvg() const
     std::string svg;
     for (const TrackReport& track : result_.tracks)
     {
-        if (track.status != TrackStatus::Confirmed && track.status != TrackStatus::Coasting) continue;
+        if (track.status != TrackStatus::Confirmed && track.status != TrackStatus::Coasting)
+            continue;
         if (!visible(track.box.centre(), 5.0)) continue;
         const std::string colour = colourOf(track.id);
         const auto trail = trails_.find(track.id);
@@ -124,8 +125,8 @@ std::string BirdsEye::tracksSvg() const
                format("%.1f %.1f", from.x(), from.y()) + "L" + format("%.1f %.1f", to.x(), to.y()) +
                "\"/>\n";
         const Eigen::Vector2d label = pixel(track.box.centre()) + Eigen::Vector2d(8.0, -14.0);
-        svg += "<text fill=\"" + colour + "\" x=\"" + format("%.0f\" y=\"%.0f\"", label.x(), label.y()) +
-               ">" + std::to_string(track.id);
+        svg += "<text fill=\"" + colour + "\" x=\"" +
+               format("%.0f\" y=\"%.0f\"", label.x(), label.y()) + ">" + std::to_string(track.id);
         if (std::abs(track.speed) > 1.0) svg += format(" %.1f m/s", track.speed, 0.0);
         svg += "</text>\n";
     }
@@ -142,12 +143,15 @@ std::string BirdsEye::svg() const
                       "\" font-family=\"sans-serif\" font-size=\"14\">\n<rect width=\"100%\" "
                       "height=\"100%\" fill=\"#10151b\"/>\n";
     svg += pointsSvg();
-    svg += "<polyline fill=\"none\" stroke=\"#ffffff\" stroke-width=\"2\" stroke-opacity=\"0.7\" points=\"";
+    svg +=
+        "<polyline fill=\"none\" stroke=\"#ffffff\" stroke-width=\"2\" stroke-opacity=\"0.7\" "
+        "points=\"";
     for (const TrailPoint& p : sensorTrail_)
         svg += format("%.1f,%.1f ", pixel(p.position).x(), pixel(p.position).y());
     svg += "\"/>\n";
     const Eigen::Vector2d sensor = pixel(frame_.sensor.head<2>());
-    svg += "<circle r=\"6\" fill=\"#ffffff\" " + format("cx=\"%.1f\" cy=\"%.1f\"/>\n", sensor.x(), sensor.y());
+    svg += "<circle r=\"6\" fill=\"#ffffff\" " +
+           format("cx=\"%.1f\" cy=\"%.1f\"/>\n", sensor.x(), sensor.y());
     svg += tracksSvg();
     // Scale bar: 10 m.
     const double bar = 10.0 * width / options_.metresAcross;

@@ -34,7 +34,8 @@ using Assignment = std::vector<std::vector<std::size_t>>;
 
 TEST(AssignClusters, OneTargetTakesSeveralConsistentClusters)
 {
-    const std::vector<Hits> clusters{line({8.0, -0.9}, {9.0, -0.9}), line({11.0, -0.9}, {12.2, -0.9}),
+    const std::vector<Hits> clusters{line({8.0, -0.9}, {9.0, -0.9}),
+                                     line({11.0, -0.9}, {12.2, -0.9}),
                                      line({30.0, 0.0}, {31.0, 0.0})};
     EXPECT_EQ(assignClusters({car(10.0, 0.0)}, clusters, {}), (Assignment{{0, 1}}));
 }
@@ -62,12 +63,14 @@ TEST(AssignClusters, RefusedClusterGoesToItsSecondChoice)
 TEST(AssignClusters, PreciseTargetWinsOverVague)
 {
     const std::vector<PredictedTarget> targets{car(10.5, 0.0, 3.0), car(10.0, 0.0, 0.1)};
-    EXPECT_EQ(assignClusters(targets, {line({8.0, -0.8}, {12.0, -0.8})}, {}), (Assignment{{}, {0}}));
+    EXPECT_EQ(assignClusters(targets, {line({8.0, -0.8}, {12.0, -0.8})}, {}),
+              (Assignment{{}, {0}}));
 }
 
 TEST(AssignClusters, NothingIsWithinReach)
 {
-    EXPECT_EQ(assignClusters({car(0.0, 0.0)}, {line({20.0, 0.0}, {21.0, 0.0})}, {}), (Assignment{{}}));
+    EXPECT_EQ(assignClusters({car(0.0, 0.0)}, {line({20.0, 0.0}, {21.0, 0.0})}, {}),
+              (Assignment{{}}));
     EXPECT_EQ(assignClusters({}, {line({0, 0}, {1, 0})}, {}), Assignment{});
     EXPECT_EQ(assignClusters({car(0.0, 0.0)}, {}, {}), (Assignment{{}}));
 }

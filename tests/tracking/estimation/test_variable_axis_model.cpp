@@ -21,8 +21,8 @@ Vector6d state(double heading, double speed, double curvature, double axis)
 
 // Forward, reverse, standstill, straight, both sides of the series' limit, over the wrap.
 const Vector6d kStates[] = {
-    state(0.3, 10.0, 0.05, 1.3),  state(-2.0, 6.0, -0.2, 1.0),  state(3.1, 8.0, 0.1, 1.3),
-    state(1.0, -3.0, 0.15, 1.2),  state(0.5, 0.0, 0.1, 1.3),    state(0.5, 12.0, 0.0, 1.3),
+    state(0.3, 10.0, 0.05, 1.3),   state(-2.0, 6.0, -0.2, 1.0),   state(3.1, 8.0, 0.1, 1.3),
+    state(1.0, -3.0, 0.15, 1.2),   state(0.5, 0.0, 0.1, 1.3),     state(0.5, 12.0, 0.0, 1.3),
     state(0.5, 10.0, 0.9e-3, 1.3), state(0.5, 10.0, 1.1e-3, 1.3), state(2.0, 1e-9, -0.2, -0.3)};
 
 // d/dt of (x, y, theta, v, kappa, d): models of the header, continuous time.

@@ -64,8 +64,8 @@ TEST(VehicleKalmanFilter, EqualsTextbookFilter)
         // Joseph form.
         const Matrix6d keep = Matrix6d::Identity() - gain * h;
         reference.mean = withinBounds(reference.mean + gain * innovation, kLength, options);
-        reference.covariance = keep * reference.covariance * keep.transpose() +
-                               gain * m.covariance * gain.transpose();
+        reference.covariance =
+            keep * reference.covariance * keep.transpose() + gain * m.covariance * gain.transpose();
         s = updated.state;
         ASSERT_LT((s.mean - reference.mean).norm(), 1e-9) << k;
         ASSERT_LT((s.covariance - reference.covariance).norm(), 1e-9) << k;
@@ -128,7 +128,8 @@ TEST(VehicleKalmanFilter, IsConsistent)
             PoseMeasurement m;
             m.covariance = Eigen::Vector3d(0.01, 0.005, 0.0007).asDiagonal();
             m.pose = truth.head<3>();
-            for (int i = 0; i < 3; ++i) m.pose(i) += std::sqrt(m.covariance(i, i)) * gauss(generator);
+            for (int i = 0; i < 3; ++i)
+                m.pose(i) += std::sqrt(m.covariance(i, i)) * gauss(generator);
             const UpdatedState updated = filter.update(s, m, kLength);
             s = updated.state;
             nis += updated.nis;

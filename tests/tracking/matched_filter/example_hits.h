@@ -40,9 +40,9 @@ inline Hits exampleHits(const OrientedBox& box, int count, double noise, double 
         if (range > 1e8) continue;
         Eigen::Vector2d p = (range + noise * gauss(generator)) * ray;
         if (uniform(0.0, 1.0) < interiorShare)
-            p = box.centre() + rotation(box.heading) *
-                                   Eigen::Vector2d(uniform(-0.5, 0.5) * box.length,
-                                                   uniform(-0.5, 0.5) * box.width);
+            p = box.centre() +
+                rotation(box.heading) * Eigen::Vector2d(uniform(-0.5, 0.5) * box.length,
+                                                        uniform(-0.5, 0.5) * box.width);
         hits.x.push_back(p.x());
         hits.y.push_back(p.y());
         hits.weight.push_back(1.0);

@@ -17,7 +17,10 @@ namespace
 {
 const Eigen::Vector2d kSensor = Eigen::Vector2d::Zero();
 
-OrientedBox carAt(double heading) { return {14.0, 4.0, heading, 4.5, 1.8}; }
+OrientedBox carAt(double heading)
+{
+    return {14.0, 4.0, heading, 4.5, 1.8};
+}
 
 OrientedBox disturbed(const OrientedBox& box, unsigned seed)
 {
@@ -63,8 +66,7 @@ TEST(FitMatchedFilter, FindsAMaximumFromDisturbedStarts)
             ASSERT_TRUE(fit.converged) << "heading " << heading << ", seed " << seed;
             iterations += fit.iterations;
             ++fits;
-            const MatchResponse m =
-                matchResponse(hits, FilterShape::paper(), fit.box, fit.phi);
+            const MatchResponse m = matchResponse(hits, FilterShape::paper(), fit.box, fit.phi);
             EXPECT_NEAR(fit.match, m.value / hits.totalWeight, 1e-12);
             EXPECT_LT(m.gradient.norm(), 1e-4 * hits.totalWeight);
             const Eigen::SelfAdjointEigenSolver<Matrix5d> eigen(m.hessian);
@@ -125,8 +127,7 @@ TEST(FitMatchedFilter, SizePriorHoldsAHiddenLength)
 {
     const OrientedBox behind{15.0, 0.0, 0.0, 4.5, 1.8};  // its rear alone is seen
     const Hits hits = exampleHits(behind, 100, 0.02, 0.0, 4);
-    const Fit freeFit =
-        fitMatchedFilter(hits, FilterShape::paper(), kSensor, behind, FitOptions());
+    const Fit freeFit = fitMatchedFilter(hits, FilterShape::paper(), kSensor, behind, FitOptions());
     EXPECT_LT(freeFit.box.length, 3.0);
     const Fit held = fitMatchedFilter(hits, FilterShape::paper(), kSensor, behind, FitOptions(),
                                       SizePrior{4.5, 1.8, 0.1, 0.1});
@@ -227,13 +228,15 @@ TEST(StartBox, FollowsTheEdges)
     for (const double heading : {0.2, 0.7, 1.1, -0.5, -1.3})
     {
         const OrientedBox car{14.0, 4.0, heading, 4.5, 1.8};
-        const OrientedBox start = startBox(exampleHits(car, 200, 0.02, 0.0, 8), kSensor, 2.2, FitOptions());
+        const OrientedBox start =
+            startBox(exampleHits(car, 200, 0.02, 0.0, 8), kSensor, 2.2, FitOptions());
         EXPECT_LT(headingError(start, car), 4.0 * kPi / 180.0) << heading;
         EXPECT_LT((nearestCorner(start) - nearestCorner(car)).norm(), 0.4) << heading;
     }
     // A rear alone: too narrow for a side, so the heading is along the line of sight.
     const OrientedBox rear{15.0, 0.0, 0.0, 4.5, 1.8};
-    const OrientedBox start = startBox(exampleHits(rear, 100, 0.02, 0.0, 8), kSensor, 2.2, FitOptions());
+    const OrientedBox start =
+        startBox(exampleHits(rear, 100, 0.02, 0.0, 8), kSensor, 2.2, FitOptions());
     EXPECT_LT(std::abs(start.heading), 0.1);
     EXPECT_NEAR(start.width, 1.8, 0.15);
 }
@@ -242,7 +245,9 @@ TEST(MeasureTarget, CoarseToFineTightensTheBox)
 {
     // Table 1 as printed sits outside the faces; narrower strips take the bias out.
     MeasureOptions paper;
-    MeasureOptions fine;
+    paper.filter = FilterKind::Paper;
+    paper.reachOverHits = false;
+    MeasureOptions fine = paper;
     fine.filter = FilterKind::CoarseToFine;
     double paperLength = 0.0;
     double fineLength = 0.0;

@@ -16,7 +16,8 @@ const double kHeadings[] = {0.1, 0.6, 0.9, 1.5, 2.2, 3.0, -0.4, -1.0, -1.7, -2.6
 Hits awkwardHits()
 {
     Hits hits = exampleHits({12.0, 3.0, 0.6, 4.4, 1.8}, 25, 0.05, 0.2, 7);
-    for (std::size_t i = 0; i < hits.size(); ++i) hits.weight[i] = 1.0 + 0.5 * static_cast<double>(i % 3);
+    for (std::size_t i = 0; i < hits.size(); ++i)
+        hits.weight[i] = 1.0 + 0.5 * static_cast<double>(i % 3);
     return hits;
 }
 
@@ -43,18 +44,18 @@ TEST(FilterShape, PaperIsTable1)
     const double side = std::sin(0.4);
     const auto height = [&](double x, double y)
     { return filterHeight(shape, box, 0.4, Eigen::Vector2d(x, y)); };
-    EXPECT_DOUBLE_EQ(height(3.1, 0.0), 0.0);               // beyond (l + 1.5) / 2 = 3.0
-    EXPECT_DOUBLE_EQ(height(2.9, 0.0), -0.25);             // surround
-    EXPECT_DOUBLE_EQ(height(0.0, 1.3), -0.25);             // (w + 1) / 2 = 1.4
+    EXPECT_DOUBLE_EQ(height(3.1, 0.0), 0.0);    // beyond (l + 1.5) / 2 = 3.0
+    EXPECT_DOUBLE_EQ(height(2.9, 0.0), -0.25);  // surround
+    EXPECT_DOUBLE_EQ(height(0.0, 1.3), -0.25);  // (w + 1) / 2 = 1.4
     EXPECT_DOUBLE_EQ(height(0.0, 1.5), 0.0);
-    EXPECT_DOUBLE_EQ(height(0.0, 0.0), 0.1);               // interior
-    EXPECT_DOUBLE_EQ(height(2.0, -0.8), 0.1 + end);        // end edge, whole width
-    EXPECT_DOUBLE_EQ(height(2.0, 0.8), 0.1 + end);         // ... and the shared corner
-    EXPECT_DOUBLE_EQ(height(1.4, 0.0), 0.1);               // 0.8 m deep
-    EXPECT_DOUBLE_EQ(height(1.4, 0.8), 0.1 + side);        // side edge, (l - 0.8) long
-    EXPECT_DOUBLE_EQ(height(0.0, 0.25), 0.1);              // 0.6 m deep
-    EXPECT_DOUBLE_EQ(height(0.0, -0.8), 0.1);              // hidden side
-    EXPECT_DOUBLE_EQ(height(-2.2, 0.0), 0.1);              // hidden end
+    EXPECT_DOUBLE_EQ(height(0.0, 0.0), 0.1);         // interior
+    EXPECT_DOUBLE_EQ(height(2.0, -0.8), 0.1 + end);  // end edge, whole width
+    EXPECT_DOUBLE_EQ(height(2.0, 0.8), 0.1 + end);   // ... and the shared corner
+    EXPECT_DOUBLE_EQ(height(1.4, 0.0), 0.1);         // 0.8 m deep
+    EXPECT_DOUBLE_EQ(height(1.4, 0.8), 0.1 + side);  // side edge, (l - 0.8) long
+    EXPECT_DOUBLE_EQ(height(0.0, 0.25), 0.1);        // 0.6 m deep
+    EXPECT_DOUBLE_EQ(height(0.0, -0.8), 0.1);        // hidden side
+    EXPECT_DOUBLE_EQ(height(-2.2, 0.0), 0.1);        // hidden end
 }
 
 TEST(MatchResponse, EqualsQuadratureOfEq4)
@@ -120,7 +121,8 @@ TEST(MatchResponse, DerivativesEqualDifferences)
         const double phi = bearingToSensor(box, Eigen::Vector2d::Zero());
         const MatchResponse m = matchResponse(hits, shape, box, phi);
         EXPECT_DOUBLE_EQ(m.value, matchValue(hits, shape, box, phi));
-        const auto value = [&](const Vector5d& t) { return matchValue(hits, shape, moved(box, t), phi); };
+        const auto value = [&](const Vector5d& t)
+        { return matchValue(hits, shape, moved(box, t), phi); };
         for (int j = 0; j < 5; ++j)
         {
             // Central differences of fourth order.
@@ -140,7 +142,8 @@ TEST(MatchResponse, DerivativesEqualDifferences)
                            (12.0 * h);
                 };
                 const double curvature =
-                    (8.0 * (slope(d) - slope(-d)) - (slope(2.0 * d) - slope(-2.0 * d))) / (12.0 * h);
+                    (8.0 * (slope(d) - slope(-d)) - (slope(2.0 * d) - slope(-2.0 * d))) /
+                    (12.0 * h);
                 EXPECT_NEAR(m.hessian(i, j), curvature, 1e-5 * m.hessian.norm())
                     << "heading " << heading << ", parameters " << i << ", " << j;
             }
@@ -171,7 +174,8 @@ TEST(MatchResponse, GradientByHitEqualsDifferences)
                 return matchResponse(one, shape, box, phi).gradient;
             };
             const Vector5d difference = (gradient(1.0) - gradient(-1.0)) / (2.0 * h);
-            EXPECT_LT((analytic[i].col(axis) - difference).norm(), 1e-6 * (1.0 + difference.norm()));
+            EXPECT_LT((analytic[i].col(axis) - difference).norm(),
+                      1e-6 * (1.0 + difference.norm()));
         }
     }
 }

@@ -18,7 +18,8 @@ struct ExampleBody
 };
 
 /// Range along a ray in the plane to a box, or a large number.
-inline double rangeTo(const OrientedBox& box, const Eigen::Vector2d& from, const Eigen::Vector2d& ray)
+inline double rangeTo(const OrientedBox& box, const Eigen::Vector2d& from,
+                      const Eigen::Vector2d& ray)
 {
     const auto corner = corners(box);
     double range = 1e9;

@@ -20,7 +20,10 @@ const TrackReport* confirmedNear(const FrameResult& frame, const Eigen::Vector2d
     return nullptr;
 }
 
-ExampleBody car(double x, double y, double heading) { return {{x, y, heading, 4.4, 1.8}, 1.5}; }
+ExampleBody car(double x, double y, double heading)
+{
+    return {{x, y, heading, 4.4, 1.8}, 1.5};
+}
 
 TEST(Tracker, FollowsAPassingCarFromAMovingPlatform)
 {
@@ -33,8 +36,8 @@ TEST(Tracker, FollowsAPassingCarFromAMovingPlatform)
     {
         const double t = 0.1 * k;
         const OrientedBox truth = car(30.0 - 9.0 * t, 4.0, kPi).box;
-        const FrameResult r = tracker.process(
-            exampleFrame(t, {5.0 * t, 0.0}, {{truth, 1.5}, car(20.0, -5.0, 0.0)}, 1000U + unsigned(k)));
+        const FrameResult r = tracker.process(exampleFrame(
+            t, {5.0 * t, 0.0}, {{truth, 1.5}, car(20.0, -5.0, 0.0)}, 1000U + unsigned(k)));
         EXPECT_EQ(r.time, t);
         if (k < 5) continue;
         const TrackReport* track = confirmedNear(r, truth.centre());
@@ -77,8 +80,8 @@ TEST(Tracker, SameFramesSameResults)
     Tracker b{TrackerOptions()};
     for (int k = 0; k < 8; ++k)
     {
-        const LadarFrame frame = exampleFrame(0.1 * k, {0.0, 0.0},
-                                              {car(12.0 + 0.5 * k, 3.0, 0.2), car(-9.0, 4.0, 1.0)}, 5U);
+        const LadarFrame frame = exampleFrame(
+            0.1 * k, {0.0, 0.0}, {car(12.0 + 0.5 * k, 3.0, 0.2), car(-9.0, 4.0, 1.0)}, 5U);
         const FrameResult ra = a.process(frame);
         const FrameResult rb = b.process(frame);
         ASSERT_EQ(ra.tracks.size(), rb.tracks.size());
@@ -152,9 +155,9 @@ TEST(Tracker, NamesItsStagesInOrder)
     std::vector<std::string> stages;
     tracker.onStage([&](const Stage* s) { stages.push_back(s != nullptr ? toString(*s) : "end"); });
     tracker.process(LadarFrame{});
-    EXPECT_EQ(stages, (std::vector<std::string>{"ground removal", "clustering", "prediction",
-                                                "association", "matched filter", "update",
-                                                "new tracks", "end"}));
+    EXPECT_EQ(stages,
+              (std::vector<std::string>{"ground removal", "clustering", "prediction", "association",
+                                        "matched filter", "update", "new tracks", "end"}));
 }
 
 }  // namespace

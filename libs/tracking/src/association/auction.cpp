@@ -28,8 +28,8 @@ Circle around(const Hits& hits)
 // Log likelihood ratio of the hits: on the target's surface against on a new object.
 double benefit(const Hits& hits, const PredictedTarget& target, const AssociationOptions& options)
 {
-    const double variance = options.surfaceSigma * options.surfaceSigma +
-                            target.positionSigma * target.positionSigma;
+    const double variance =
+        options.surfaceSigma * options.surfaceSigma + target.positionSigma * target.positionSigma;
     // Vague targets pay for their reach, so that a precise one wins a cluster both could explain.
     const double cost = 0.5 * std::log(variance / (options.surfaceSigma * options.surfaceSigma));
     const double c = std::cos(target.box.heading);

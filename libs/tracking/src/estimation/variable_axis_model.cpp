@@ -97,7 +97,8 @@ Matrix6d processNoise(const Vector6d& x, double dt, const MotionOptions& options
     steering(kCurvature) = dt;
     // Steering is bounded by the steering wheel's rate when slow and by lateral jerk when fast; a
     // vehicle that stands shows nothing of it, so its uncertainty must not grow there.
-    const double rate = std::min(options.maxCurvatureRate, options.lateralJerk / std::max(v * v, 1e-6));
+    const double rate =
+        std::min(options.maxCurvatureRate, options.lateralJerk / std::max(v * v, 1e-6));
     const double moving = std::min(1.0, std::abs(v) / 0.5);
 
     Matrix6d q = options.accelerationSigma * options.accelerationSigma * acceleration *

@@ -74,7 +74,8 @@ protected:
         z[0].asEigen() = measurement_->pose;
     }
 
-    void OnObservationModel(const std::vector<size_t>&, vector_KFArray_OBS& predictions) const override
+    void OnObservationModel(const std::vector<size_t>&,
+                            vector_KFArray_OBS& predictions) const override
     {
         predictions.resize(1);
         predictions[0].asEigen() = m_xkk.asEigen().head<3>();

@@ -10,7 +10,8 @@ namespace
 {
 OrientedBox boxOf(const VehicleState& state, const SizeMemory& size)
 {
-    return {state.mean(kX), state.mean(kY), state.mean(kHeading), size.length.mean, size.width.mean};
+    return {state.mean(kX), state.mean(kY), state.mean(kHeading), size.length.mean,
+            size.width.mean};
 }
 
 SizeEstimate updatedEstimate(const SizeEstimate& memory, double measured, double fitVariance,
@@ -21,7 +22,7 @@ SizeEstimate updatedEstimate(const SizeEstimate& memory, double measured, double
     double prior = memory.variance + options.sizeDriftSigma * options.sizeDriftSigma;
     const double innovation = measured - memory.mean;
     const double sigma = std::sqrt(prior + noise);
-    constexpr double kLoss = 2.0;         // sigmas below the average: visibility loss
+    constexpr double kLoss = 2.0;          // sigmas below the average: visibility loss
     constexpr double kLossNoise = 1000.0;  // then a second of such sights moves the average little
     if (innovation < -kLoss * sigma) noise *= kLossNoise;
     // Hits never add to a vehicle: where they reach farther, the average was of partial sights.
@@ -71,9 +72,9 @@ VehicleState resized(const VehicleState& state, const SizeMemory& before, const 
                      const Eigen::Vector2d& sensor)
 {
     const Eigen::Vector2d nearest = nearestPoint(boxOf(state, before), sensor);
-    const Eigen::Vector2d move = -0.5 * nearest.cwiseProduct(Eigen::Vector2d(
-                                            after.length.mean - before.length.mean,
-                                            after.width.mean - before.width.mean));
+    const Eigen::Vector2d move =
+        -0.5 * nearest.cwiseProduct(Eigen::Vector2d(after.length.mean - before.length.mean,
+                                                    after.width.mean - before.width.mean));
     VehicleState next = state;
     next.mean.head<2>() += rotation(state.mean(kHeading)) * move;
     // Every point of the axle line moves along the heading, so the axis point may follow the
@@ -89,9 +90,9 @@ PoseMeasurement anchoredPose(const Measurement& m, const SizeMemory& size,
                              const Eigen::Vector2d& sensor, const VisibilityOptions& o)
 {
     const Eigen::Vector2d nearest = nearestPoint(m.box, sensor);
-    const Eigen::Vector2d offset = 0.5 * nearest.cwiseProduct(Eigen::Vector2d(
-                                             m.box.length - size.length.mean,
-                                             m.box.width - size.width.mean));
+    const Eigen::Vector2d offset =
+        0.5 * nearest.cwiseProduct(
+                  Eigen::Vector2d(m.box.length - size.length.mean, m.box.width - size.width.mean));
     const Eigen::Matrix2d r = rotation(m.box.heading);
     // d pose / d (x, y, heading, length, width)
     Eigen::Matrix<double, 3, 5> j = Eigen::Matrix<double, 3, 5>::Zero();

@@ -18,10 +18,10 @@ Matrix5d fitCovariance(const Hits& hits, const FilterShape& shape, const Oriente
         scatter += hits.weight[i] * byHit[i] * byHit[i].transpose();
 
     // At a maximum -H is positive definite.
-    const Eigen::SelfAdjointEigenSolver<Matrix5d> eigen(-matchResponse(hits, shape, box, phi).hessian);
+    const Eigen::SelfAdjointEigenSolver<Matrix5d> eigen(
+        -matchResponse(hits, shape, box, phi).hessian);
     const double largest = eigen.eigenvalues().cwiseAbs().maxCoeff();
-    const Vector5d curvature =
-        eigen.eigenvalues().array().max(1e-4 * largest).max(1e-12).matrix();
+    const Vector5d curvature = eigen.eigenvalues().array().max(1e-4 * largest).max(1e-12).matrix();
     const Matrix5d inverse = eigen.eigenvectors() * curvature.cwiseInverse().asDiagonal() *
                              eigen.eigenvectors().transpose();
 

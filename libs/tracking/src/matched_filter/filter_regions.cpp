@@ -73,8 +73,8 @@ FilterEnergy::FilterEnergy(const FilterRegions& r, double length, double width)
         const double slopeY = last(r.edgesY, r.spanY[k]).slope - first(r.edgesY, r.spanY[k]).slope;
         const double sizeX = slopeX * length + last(r.edgesX, r.spanX[k]).offset -
                              first(r.edgesX, r.spanX[k]).offset;
-        const double sizeY = slopeY * width + last(r.edgesY, r.spanY[k]).offset -
-                             first(r.edgesY, r.spanY[k]).offset;
+        const double sizeY =
+            slopeY * width + last(r.edgesY, r.spanY[k]).offset - first(r.edgesY, r.spanY[k]).offset;
         value += e * sizeX * sizeY;
         t += e1 * sizeX * sizeY;
         tt += e2 * sizeX * sizeY;

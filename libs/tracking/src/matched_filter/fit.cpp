@@ -13,7 +13,13 @@ Fit fitMatchedFilter(const Hits& hits, const FilterShape& shape, const Eigen::Ve
     fit.phi = bearingToSensor(start, sensor);
     fit.box = movedWithinBounds(start, Vector5d::Zero(), options);
     if (hits.totalWeight <= 0.0) return fit;
-    const FitObjective objective(hits, shape, fit.phi, prior);
+    // Below this tolerance the rounding of single precision would show. The optimizers of nlopt are
+    // the reference for ours and get the reference's sums.
+    constexpr double kFinestSingle = 1e-4;
+    const bool single =
+        options.optimizer == Optimizer::LevenbergMarquardt && options.tolerance >= kFinestSingle;
+    const FitObjective objective(hits, shape, fit.box, fit.phi, prior,
+                                 single ? Precision::Single : Precision::Double);
     const Optimum optimum = options.optimizer == Optimizer::LevenbergMarquardt
                                 ? levenbergMarquardt(objective, fit.box, options)
                                 : nloptOptimize(objective, fit.box, options);

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 
+#include "matched_filter/match_kernel.h"
 #include "vdamf/tracking/matched_filter/fit.h"
 #include "vdamf/tracking/matched_filter/match_response.h"
 
@@ -17,19 +19,29 @@ struct FitCost
     Matrix5d hessian;
 };
 
+/// How the hits are summed: by the kernel, or by matchResponse() to the last digit at some thirty
+/// times the cost.
+enum class Precision
+{
+    Single,
+    Double
+};
+
 class FitObjective
 {
 public:
-    FitObjective(const Hits& hits, const FilterShape& shape, double phi,
-                 const std::optional<SizePrior>& prior)
+    /// The boxes to evaluate lie within some metres of `start`.
+    FitObjective(const Hits& hits, const FilterShape& shape, const OrientedBox& start, double phi,
+                 const std::optional<SizePrior>& prior, Precision precision)
         : hits_(hits), shape_(shape), phi_(phi), prior_(prior.value_or(SizePrior{}))
     {
+        if (precision == Precision::Single) kernel_ = kernelHits(hits, start.centre());
     }
 
     FitCost derivatives(const OrientedBox& box) const
     {
         const double scale = -1.0 / hits_.totalWeight;
-        const MatchResponse m = matchResponse(hits_, shape_, box, phi_);
+        const MatchResponse m = response(box);
         FitCost cost{scale * m.value + priorCost(box), scale * m.gradient, scale * m.hessian};
         cost.gradient(3) += prior_.lengthWeight * (box.length - prior_.length);
         cost.gradient(4) += prior_.widthWeight * (box.width - prior_.width);
@@ -38,17 +50,25 @@ public:
         return cost;
     }
 
-    double value(const OrientedBox& box) const
-    {
-        return -matchPerHit(box) + priorCost(box);
-    }
+    double value(const OrientedBox& box) const { return -matchPerHit(box) + priorCost(box); }
 
     double matchPerHit(const OrientedBox& box) const
     {
-        return matchValue(hits_, shape_, box, phi_) / hits_.totalWeight;
+        const double match = kernel_ ? response(box).value : matchValue(hits_, shape_, box, phi_);
+        return match / hits_.totalWeight;
     }
 
+    /// Differences of values smaller than this are rounding, for values about `value`. A hit's
+    /// part in the response is at most about 1 / m, of which single precision keeps seven digits.
+    double resolution(double value) const { return kernel_ ? 1e-7 : 1e-12 * std::abs(value); }
+
 private:
+    MatchResponse response(const OrientedBox& box) const
+    {
+        return kernel_ ? kernelResponse(*kernel_, shape_, box, phi_)
+                       : matchResponse(hits_, shape_, box, phi_);
+    }
+
     double priorCost(const OrientedBox& box) const
     {
         const double l = box.length - prior_.length;
@@ -60,6 +80,7 @@ private:
     const FilterShape& shape_;
     double phi_;
     SizePrior prior_;
+    std::optional<KernelHits> kernel_;  // for single precision
 };
 
 /// The box moved by a step in (t_x, t_y, theta, l, w), with its size kept within bounds.

@@ -13,9 +13,9 @@ namespace
 // as far as a metre moves its centre.
 const Vector5d kScale = (Vector5d() << 1.0, 1.0, 0.25, 1.0, 1.0).finished();
 // The response changes its shape over half a strip: longer steps than that are mostly lost.
-constexpr double kMaxMove = 0.3;         // m, of the centre
-constexpr double kMaxTurn = 0.15;        // rad
-constexpr double kMaxGrowth = 0.5;       // m
+constexpr double kMaxMove = 0.3;          // m, of the centre
+constexpr double kMaxTurn = 0.15;         // rad
+constexpr double kMaxGrowth = 0.5;        // m
 constexpr double kLeastCurvature = 1e-3;  // of the largest one: the floor of all
 
 // A size at a bound whose step would leave it takes no part in the step.
@@ -61,6 +61,12 @@ Step dampedStep(const FitCost& cost, const OrientedBox& box, double damping, con
     step /= excess;
     return {move / excess, -(g.dot(step) + 0.5 * step.dot(h * step))};
 }
+// After a step that was taken: by how much of the predicted gain was had.
+double nextDamping(double damping, double gainRatio)
+{
+    if (gainRatio > 0.75) return std::max(damping * 0.1, 1e-7);
+    return gainRatio < 0.25 ? damping * 2.0 : damping;
+}
 }  // namespace
 
 Optimum levenbergMarquardt(const FitObjective& objective, const OrientedBox& start,
@@ -78,15 +84,13 @@ Optimum levenbergMarquardt(const FitObjective& objective, const OrientedBox& sta
         ++best.iterations;
         const double gain = cost.value - trialCost.value;
         const bool small = step.move.cwiseAbs().maxCoeff() < options.tolerance;
-        // Rounding hides gains of this size: then a small step is as good as none.
-        const double resolution = 1e-12 * std::abs(cost.value);
+        // Gains below the resolution say nothing of the step: it is taken, the damping stays.
+        const double resolution = objective.resolution(cost.value);
         if (gain >= -resolution)
         {
             best.box = trial;
             cost = trialCost;
-            damping = gain > 0.75 * step.gain ? std::max(damping * 0.1, 1e-7)
-                      : gain < 0.25 * step.gain ? damping * 2.0
-                                                : damping;
+            if (step.gain > resolution) damping = nextDamping(damping, gain / step.gain);
         }
         else
         {

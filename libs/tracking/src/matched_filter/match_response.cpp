@@ -5,6 +5,7 @@
 
 #include "matched_filter/filter_regions.h"
 #include "matched_filter/hit_integrals.h"
+#include "matched_filter/match_sums.h"
 
 namespace vdamf
 {
@@ -87,11 +88,11 @@ struct HitTerms
     Eigen::Matrix<double, 5, 2> gradientByPosition() const
     {
         Eigen::Matrix<double, 5, 2> b;
-        b << -fxx(), -fxy(),                             //
-            -fxy(), -fyy(),                              //
-            y * fxx() - fy() - x * fxy() + fvx(),        //
-            fx() + y * fxy() - x * fyy() + fvy(),        //
-            fxl(), fyl(),                                //
+        b << -fxx(), -fxy(),                       //
+            -fxy(), -fyy(),                        //
+            y * fxx() - fy() - x * fxy() + fvx(),  //
+            fx() + y * fxy() - x * fyy() + fvy(),  //
+            fxl(), fyl(),                          //
             fxw(), fyw();
         return b;
     }
@@ -119,28 +120,6 @@ void forEachHit(const Hits& hits, const FilterShape& shape, const FilterRegions&
         visit(i, HitTerms(x, y, regions, ax, ay));
     }
 }
-
-// alpha = E^(-1/2) of Eq. (3) with its derivatives in (t_x, t_y, theta, l, w).
-struct Normalisation
-{
-    Normalisation(const FilterRegions& regions, const OrientedBox& box)
-    {
-        const FilterEnergy e(regions, box.length, box.width);
-        value = 1.0 / std::sqrt(e.value);
-        Vector5d g;
-        g << 0.0, 0.0, e.t, e.l, e.w;
-        Matrix5d h = Matrix5d::Zero();
-        h(2, 2) = e.tt;
-        h(2, 3) = h(3, 2) = e.tl;
-        h(2, 4) = h(4, 2) = e.tw;
-        h(3, 4) = h(4, 3) = e.lw;
-        gradient = -0.5 * value / e.value * g;
-        hessian = 0.75 * value / (e.value * e.value) * g * g.transpose() - 0.5 * value / e.value * h;
-    }
-    double value = 0.0;
-    Vector5d gradient;
-    Matrix5d hessian;
-};
 }  // namespace
 
 double bearingToSensor(const OrientedBox& box, const Eigen::Vector2d& sensor)
@@ -161,24 +140,17 @@ MatchResponse matchResponse(const Hits& hits, const FilterShape& shape, const Or
                             double phi)
 {
     const FilterRegions regions(shape, box.heading - phi);
-    double f = 0.0;
-    Vector5d g = Vector5d::Zero();
-    Matrix5d h = Matrix5d::Zero();
+    MatchSums sums;
     forEachHit(hits, shape, regions, box,
                [&](std::size_t i, const HitTerms& hit)
                {
                    const double weight = hits.weight[i];
-                   f += weight * hit.f();
-                   g += weight * hit.gradient();
-                   h.triangularView<Eigen::Upper>() += weight * hit.hessian();
+                   sums.f += weight * hit.f();
+                   sums.g += weight * hit.gradient();
+                   sums.h.triangularView<Eigen::Upper>() += weight * hit.hessian();
                });
-    h.triangularView<Eigen::StrictlyLower>() = h.transpose();
-    const Normalisation a(regions, box);
-    MatchResponse m;
-    m.value = a.value * f;
-    m.gradient = a.value * g + f * a.gradient;
-    m.hessian = a.value * h + a.gradient * g.transpose() + g * a.gradient.transpose() + f * a.hessian;
-    return m;
+    sums.h.triangularView<Eigen::StrictlyLower>() = sums.h.transpose();
+    return normalised(sums, Normalisation(regions, box));
 }
 
 std::vector<Eigen::Matrix<double, 5, 2>> gradientByHit(const Hits& hits, const FilterShape& shape,

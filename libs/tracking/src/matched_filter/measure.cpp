@@ -70,8 +70,8 @@ FaceSet facesSeen(const Hits& hits, const OrientedBox& box, const Eigen::Vector2
     return seen;
 }
 
-Measurement measureTarget(const Hits& hits, const Eigen::Vector2d& sensor,
-                          const OrientedBox& start, const MeasureOptions& options,
+Measurement measureTarget(const Hits& hits, const Eigen::Vector2d& sensor, const OrientedBox& start,
+                          const MeasureOptions& options,
                           const std::optional<Eigen::Vector2d>& knownLengthWidth)
 {
     std::optional<SizePrior> prior;

@@ -54,10 +54,10 @@ Optimum nloptOptimize(const FitObjective& objective, const OrientedBox& start,
     Problem problem{objective, start};
     nlopt::opt optimizer(algorithmOf(options.optimizer), 5);
     optimizer.set_min_objective(costOf, &problem);
-    optimizer.set_lower_bounds({-5.0, -5.0, start.heading - 0.5 * kPi, options.minLength,
-                                options.minWidth});
-    optimizer.set_upper_bounds({5.0, 5.0, start.heading + 0.5 * kPi, options.maxLength,
-                                options.maxWidth});
+    optimizer.set_lower_bounds(
+        {-5.0, -5.0, start.heading - 0.5 * kPi, options.minLength, options.minWidth});
+    optimizer.set_upper_bounds(
+        {5.0, 5.0, start.heading + 0.5 * kPi, options.maxLength, options.maxWidth});
     optimizer.set_xtol_abs(0.1 * options.tolerance);
     optimizer.set_maxeval(25 * options.maxIterations);
     optimizer.set_initial_step({0.2, 0.2, 0.1, 0.2, 0.2});

@@ -45,8 +45,8 @@ Bounds boundsAt(const Hits& hits, double heading)
 OrientedBox startBox(const Hits& hits, const Eigen::Vector2d& sensor, double widestEnd,
                      const FitOptions& options)
 {
-    constexpr double kTwoFaces = 1.0;   // m; a rectangle at least this wide shows both
-    constexpr int kHeadings = 30;       // over a quarter turn
+    constexpr double kTwoFaces = 1.0;  // m; a rectangle at least this wide shows both
+    constexpr int kHeadings = 30;      // over a quarter turn
     if (hits.size() == 0) return {};
     double heading = 0.0;
     Bounds best = boundsAt(hits, heading);
@@ -60,8 +60,9 @@ OrientedBox startBox(const Hits& hits, const Eigen::Vector2d& sensor, double wid
             heading = angle;
         }
     }
-    const Eigen::Vector2d centre = rotation(heading) * Eigen::Vector2d(0.5 * (best.minX + best.maxX),
-                                                                      0.5 * (best.minY + best.maxY));
+    const Eigen::Vector2d centre =
+        rotation(heading) *
+        Eigen::Vector2d(0.5 * (best.minX + best.maxX), 0.5 * (best.minY + best.maxY));
     double length = best.maxX - best.minX;
     double width = best.maxY - best.minY;
     const bool endAlone =

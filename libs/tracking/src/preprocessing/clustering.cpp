@@ -22,7 +22,8 @@ class PlaneView
 {
 public:
     PlaneView(const LadarFrame& frame, const AboveGround& above)
-        : points_(frame.points), index_(above.index),
+        : points_(frame.points),
+          index_(above.index),
           shift_((frame.origin - frame.sensor).head<2>().cast<float>())
     {
     }
@@ -30,10 +31,7 @@ public:
     std::size_t size() const { return index_.size(); }
     float x(std::size_t i) const { return points_.x[index_[i]] + shift_.x(); }
     float y(std::size_t i) const { return points_.y[index_[i]] + shift_.y(); }
-    bool used(std::size_t i) const
-    {
-        return (std::abs(x(i)) < kReach) & (std::abs(y(i)) < kReach);
-    }
+    bool used(std::size_t i) const { return (std::abs(x(i)) < kReach) & (std::abs(y(i)) < kReach); }
 
 private:
     const PointCloud& points_;
@@ -77,7 +75,10 @@ struct CellGrid
     std::vector<std::uint32_t> cellOfHit;  // kNone: hit not used
 };
 
-int cellsIn(float distance) { return static_cast<int>(distance * (1.0F / kCell)); }
+int cellsIn(float distance)
+{
+    return static_cast<int>(distance * (1.0F / kCell));
+}
 
 // Row and column of each hit, packed; kNone where it is not used.
 std::vector<std::uint32_t> occupyCells(const PlaneView& hits, const Bounds& bounds,
@@ -127,8 +128,7 @@ CellGrid sortIntoCells(const PlaneView& hits)
 float gapAt(const Cell& cell, const ClusterOptions& options)
 {
     const double range = std::sqrt(static_cast<double>(cell.x * cell.x + cell.y * cell.y));
-    return static_cast<float>(
-        std::min(options.gap + options.gapPerRange * range, options.maxGap));
+    return static_cast<float>(std::min(options.gap + options.gapPerRange * range, options.maxGap));
 }
 
 // Unites the cell with those after it, in its row and the rows above, whose means are in reach.
@@ -208,8 +208,7 @@ std::vector<Cluster> gather(const LadarFrame& frame, const AboveGround& above,
 {
     std::vector<Cluster> clusters(numbers.hits.size());
     for (std::size_t i = 0; i < clusters.size(); ++i)
-        for (auto* values :
-             {&clusters[i].x, &clusters[i].y, &clusters[i].z, &clusters[i].height})
+        for (auto* values : {&clusters[i].x, &clusters[i].y, &clusters[i].z, &clusters[i].height})
             values->reserve(numbers.hits[i]);
     for (std::size_t i = 0; i < cellOfHit.size(); ++i)
     {

@@ -72,8 +72,8 @@ AboveGround removeGround(const LadarFrame& frame, const GroundOptions& options)
         return hitsBetween(levelSurface(grid, options), hits, frame.points, -1e9F, 1e9F,
                            grid.rings);
     return hitsBetween(followGround(grid, low, *plane), hits, frame.points,
-                       static_cast<float>(options.minHeight),
-                       static_cast<float>(options.maxHeight), grid.rings);
+                       static_cast<float>(options.minHeight), static_cast<float>(options.maxHeight),
+                       grid.rings);
 }
 
 }  // namespace vdamf

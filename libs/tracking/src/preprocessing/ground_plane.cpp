@@ -10,10 +10,11 @@ namespace vdamf
 {
 namespace
 {
-constexpr float kSearchRange = 25.0F;  // m
-constexpr int kSectorsAtOnce = 4;      // one low hit from these, for speed and robustness
-constexpr std::size_t kLeastSupport = 12;
-constexpr float kBin = 0.1F;  // of the histogram over heights, m
+constexpr float kSearchRange = 25.0F;   // m
+constexpr int kSectorsAtOnce = 4;       // one low hit from these, for speed and robustness
+constexpr float kLeastSupport = 12.0F;  // low hits in the plane, less half of those below it
+constexpr float kSearchTop = 0.5F;      // planes up to this over the sensor compete, m
+constexpr float kBin = 0.1F;            // of the histogram over heights, m
 
 // The second lowest hit of a cell, where it has one, is less likely to be an outlier.
 std::vector<LowHit> lowHitsNearby(const PolarGrid& grid, const std::vector<LowHits>& lowHits)
@@ -52,8 +53,7 @@ Candidate bestHeight(const std::vector<LowHit>& points, float slopeX, float slop
     constexpr int kMaxBins = 256;
     std::array<int, kMaxBins> histogram{};
     const auto bottom = static_cast<float>(-options.maxSensorHeight) - 2.0F * kBin;
-    const auto top = static_cast<float>(-options.minSensorHeight);
-    const int bins = std::clamp(static_cast<int>((top - bottom) / kBin) + 2, 4, kMaxBins);
+    const int bins = std::clamp(static_cast<int>((kSearchTop - bottom) / kBin) + 2, 4, kMaxBins);
     const auto lastBin = static_cast<float>(bins - 1);
     for (const LowHit& p : points)
     {
@@ -133,7 +133,9 @@ std::optional<GroundPlane> findGroundPlane(const PolarGrid& grid,
 {
     const std::vector<LowHit> points = lowHitsNearby(grid, lowHits);
     const Candidate best = bestPlane(points, options);
-    if (best.score < static_cast<float>(kLeastSupport)) return std::nullopt;
+    if (best.score < kLeastSupport) return std::nullopt;
+    // What a line scanner sees lies in a plane too: its own.
+    if (best.plane.height > -static_cast<float>(options.minSensorHeight)) return std::nullopt;
     return refine(points, best.plane);
 }
 

@@ -22,10 +22,11 @@ constexpr float kLateralNoise = 0.05F * 0.05F;  // across the sectors, m^2 / m
 // hit at the edge of the gate is either, ground or the foot of something.
 constexpr float kHitVariance = 0.04F * 0.04F;
 constexpr float kDoubt = 0.2F;
-constexpr float kGate = 3.0F;        // standard deviations, but not more than
-constexpr float kMaxGateUp = 0.2F;   // where the side of an object may begin, m
-constexpr float kMaxGateDown = 0.5F; // a step down, m
-constexpr float kAlone = 0.05F;      // a lowest hit that is below the next by more is noise, m
+constexpr float kGate = 3.0F;          // standard deviations, but not more than
+constexpr float kMaxGateUp = 0.2F;     // where the side of an object may begin, m
+constexpr float kGateGrowth = 0.005F;  // the same, for each metre without ground
+constexpr float kMaxGateDown = 0.5F;   // a step down, m
+constexpr float kAlone = 0.05F;        // a lowest hit that is below the next by more is noise, m
 constexpr float kStartVariance = 0.1F * 0.1F;  // of the plane, m^2
 constexpr float kStartSlope = 0.03F * 0.03F;
 constexpr float kUnseen = std::numeric_limits<float>::quiet_NaN();
@@ -38,6 +39,7 @@ struct Profile
     float hh = kStartVariance;
     float hs = 0.0F;
     float ss = kStartSlope;
+    float blind = 0.0F;  // way since the last ground hit, m
 };
 
 // To a place `d` metres on; inwards d is negative.
@@ -48,6 +50,7 @@ inline void advance(Profile& p, float d)
     p.hh += d * (2.0F * p.hs + d * p.ss) + way * kHeightNoise;
     p.hs += d * p.ss;
     p.ss += way * kSlopeNoise;
+    p.blind += way;
 }
 
 inline void observe(Profile& p, float height)
@@ -61,6 +64,7 @@ inline void observe(Profile& p, float height)
     p.ss -= ks * p.hs;
     p.hs -= kh * p.hs;
     p.hh -= kh * p.hh;
+    p.blind = 0.0F;
 }
 
 // A low hit that was taken for ground: its range and height over the plane.
@@ -82,7 +86,8 @@ bool insideGate(const Profile& p, const GroundHit& hit)
 {
     const float gate = kGate * std::sqrt(p.hh + kHitVariance);
     const float error = hit.height - p.height;
-    return error > -std::min(gate, kMaxGateDown) && error < std::min(gate, kMaxGateUp);
+    return error > -std::min(gate, kMaxGateDown) &&
+           error < std::min(gate, kMaxGateUp + kGateGrowth * p.blind);
 }
 
 // The cell's low hits in the order in which they are tried.
@@ -153,9 +158,8 @@ struct OutwardPass
     std::vector<GroundHit> ground;  // in the cell
 };
 
-OutwardPass passOutwards(const PolarGrid& grid,
-                         const std::vector<LowHits>& lowHits, const GroundPlane& plane,
-                         const std::vector<float>& ranges)
+OutwardPass passOutwards(const PolarGrid& grid, const std::vector<LowHits>& lowHits,
+                         const GroundPlane& plane, const std::vector<float>& ranges)
 {
     OutwardPass pass;
     const std::size_t edges = ranges.size();
@@ -173,8 +177,8 @@ OutwardPass passOutwards(const PolarGrid& grid,
             if (ring + 1 == edges) continue;
             const auto cell = static_cast<std::size_t>(
                 grid.cell(static_cast<int>(sector), static_cast<int>(ring)));
-            pass.ground[cell] = crossCell(p, candidates(lowHits[cell], plane), ranges[ring],
-                                          ranges[ring + 1]);
+            pass.ground[cell] =
+                crossCell(p, candidates(lowHits[cell], plane), ranges[ring], ranges[ring + 1]);
         }
         if (ring + 1 < edges) exchangeAcross(profiles, ranges[ring + 1]);
     }
@@ -205,8 +209,8 @@ void passInwards(OutwardPass& pass, std::size_t sector, const std::vector<float>
 }
 }  // namespace
 
-GroundSurface followGround(const PolarGrid& grid,
-                           const std::vector<LowHits>& lowHits, const GroundPlane& plane)
+GroundSurface followGround(const PolarGrid& grid, const std::vector<LowHits>& lowHits,
+                           const GroundPlane& plane)
 {
     const std::vector<float> ranges = edgeRanges(grid);
     OutwardPass pass = passOutwards(grid, lowHits, plane, ranges);

@@ -30,8 +30,7 @@ Track startedTrack(std::uint64_t id, const Sighting& sighting, const TrackerOpti
     Track track;
     track.id = id;
     track.size = initialSize(m, options.visibility);
-    const PoseMeasurement pose =
-        anchoredPose(m, track.size, sighting.sensor, options.visibility);
+    const PoseMeasurement pose = anchoredPose(m, track.size, sighting.sensor, options.visibility);
     const double length = track.size.length.mean;
     const MotionOptions& motion = options.motion;
     track.state.mean << pose.pose, 0.0, 0.0, motion.axisFraction * length;
@@ -60,8 +59,7 @@ Track sightedTrack(const Track& before, const Sighting& sighting, VehicleKalmanF
     const Measurement m = alignedWith(sighting.measurement, track.state.mean(kHeading));
     track.size = updatedSize(before.size, m, options.visibility);
     track.state = resized(track.state, before.size, track.size, sighting.sensor);
-    const PoseMeasurement pose =
-        anchoredPose(m, track.size, sighting.sensor, options.visibility);
+    const PoseMeasurement pose = anchoredPose(m, track.size, sighting.sensor, options.visibility);
     track.nis = nisOf(track.state, pose);
     const UpdatedState updated =
         filter.update(track.state, tempered(pose, track.state, options.lifecycle.nisGate),
@@ -74,9 +72,8 @@ Track sightedTrack(const Track& before, const Sighting& sighting, VehicleKalmanF
     ++track.sightings;
     track.misses = 0;
     track.lastSeen = sighting.time;
-    if (track.status == TrackStatus::Coasting ||
-        (track.status == TrackStatus::Tentative &&
-         track.sightings >= options.lifecycle.confirmHits))
+    if (track.status == TrackStatus::Coasting || (track.status == TrackStatus::Tentative &&
+                                                  track.sightings >= options.lifecycle.confirmHits))
         track.status = TrackStatus::Confirmed;
     appendToPath(track, sighting.time, pose.pose.head<2>());
     return withCheckedHeading(track, sighting, options);

@@ -22,11 +22,11 @@ struct PathPoint
 /// Hits of one target in one frame, and what they measured. World frame.
 struct Sighting
 {
-    double time = 0.0;                                   ///< s
-    Eigen::Vector2d sensor = Eigen::Vector2d::Zero();    ///< m
+    double time = 0.0;                                 ///< s
+    Eigen::Vector2d sensor = Eigen::Vector2d::Zero();  ///< m
     Measurement measurement;
-    double groundZ = 0.0;                                ///< local ground, m
-    double height = 0.0;                                 ///< of the highest hit above it, m
+    double groundZ = 0.0;  ///< local ground, m
+    double height = 0.0;   ///< of the highest hit above it, m
 };
 
 struct Track
@@ -38,10 +38,10 @@ struct Track
     double groundZ = 0.0;
     double height = 0.0;
     int sightings = 0;
-    int misses = 0;            ///< frames since the last sighting
-    double lastSeen = 0.0;     ///< s
-    double lastMatch = 0.0;    ///< response per hit of the last sighting, 1/m
-    bool forwardSeen = false;  ///< it drove forward: the front is known
+    int misses = 0;              ///< frames since the last sighting
+    double lastSeen = 0.0;       ///< s
+    double lastMatch = 0.0;      ///< response per hit of the last sighting, 1/m
+    bool forwardSeen = false;    ///< it drove forward: the front is known
     std::deque<PathPoint> path;  ///< sightings of the last second
     // Of the current frame:
     std::optional<Measurement> measurement;

@@ -166,8 +166,8 @@ private:
         Sighting s;
         s.time = frame.time;
         s.sensor = frame.sensor.head<2>();
-        s.measurement = inWorld(
-            measureTarget(hits, sensor, start, options_.measurement, knownSize), frame.origin);
+        s.measurement = inWorld(measureTarget(hits, sensor, start, options_.measurement, knownSize),
+                                frame.origin);
         addHeights(s, parts, frame.origin.z());
         return s;
     }
@@ -206,8 +206,8 @@ private:
         for (std::size_t i = 0; i < clusters.size(); ++i)
         {
             if (claimed[i] || !mayStart(clusters[i], hits[i])) continue;
-            const OrientedBox start =
-                startBox(hits[i], sensor, widestEnd(heightOf(clusters[i])), options_.measurement.fit);
+            const OrientedBox start = startBox(hits[i], sensor, widestEnd(heightOf(clusters[i])),
+                                               options_.measurement.fit);
             if (std::hypot(start.length, start.width) > options_.lifecycle.maxExtent) continue;
             const Sighting s = sighting(frame, hits[i], {&clusters[i]}, start, std::nullopt);
             tracks_.push_back(startedTrack(nextId_++, s, options_));
@@ -241,9 +241,9 @@ private:
     {
         const Eigen::Vector2d inA = toBoxFrame(a.box(), b.state.mean.head<2>());
         const Eigen::Vector2d inB = toBoxFrame(b.box(), a.state.mean.head<2>());
-        const auto inside = [](const Eigen::Vector2d& p, const SizeMemory& size)
-        {
-            return std::abs(p.x()) < 0.4 * size.length.mean && std::abs(p.y()) < 0.4 * size.width.mean;
+        const auto inside = [](const Eigen::Vector2d& p, const SizeMemory& size) {
+            return std::abs(p.x()) < 0.4 * size.length.mean &&
+                   std::abs(p.y()) < 0.4 * size.width.mean;
         };
         return inside(inA, a.size) || inside(inB, b.size);
     }
@@ -262,8 +262,8 @@ private:
 
     void removeEnded()
     {
-        tracks_.erase(std::remove_if(tracks_.begin(), tracks_.end(), [](const Track& t)
-                                     { return t.status == TrackStatus::Ended; }),
+        tracks_.erase(std::remove_if(tracks_.begin(), tracks_.end(),
+                                     [](const Track& t) { return t.status == TrackStatus::Ended; }),
                       tracks_.end());
     }
 

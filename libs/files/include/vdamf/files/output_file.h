@@ -33,6 +33,8 @@ public:
 
     void write(std::string_view bytes);
     void commit();
+    /// Nothing stays behind if commit() does not follow, whatever the constructor was told.
+    void discard() { unfinished_ = Unfinished::Discard; }
 
     const std::filesystem::path& path() const { return path_; }
     const std::filesystem::path& partialPath() const { return partialPath_; }

@@ -22,10 +22,11 @@ inline constexpr const char* kAnnotationLabel = "vdamf_track";
 bool isAnnotation(const mrpt::obs::CObservation& observation);
 
 /// First entry of an annotated rawlog, in ini form: program version, world origin, columns of the
-/// table, effective configuration.
+/// table, effective configuration. Its time stamp is that of the first frame.
 mrpt::obs::CObservationComment headComment(const std::string& version, const std::string& origin,
                                            const std::string& insSource,
-                                           const Configuration& configuration);
+                                           const Configuration& configuration,
+                                           mrpt::Clock::time_point stamp);
 
 /// Makes the observations that follow a scan. Keeps the trails between frames.
 class Annotator

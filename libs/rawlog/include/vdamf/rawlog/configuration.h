@@ -40,8 +40,9 @@ struct OutputOptions
         field(self.scene, "annotate_scene",
               "a CObservation3DScene with boxes, identities and trails, for RawLogViewer");
         field(self.trail, "trail_s", 0.0, 60.0, "length of the trails in the scene");
-        field(self.gzLevel, "gz_level", 0, 9, "of the annotated rawlog; 0: plain");
-        field(self.gzThreads, "gz_threads", 0, 64, "that compress it; 0: none beside the tracker");
+        field(self.gzLevel, "gz_level", 0, 9, "compression of the annotated rawlog; 0: none");
+        field(self.gzThreads, "gz_threads", 0, 64,
+              "threads that compress it; 0: the tracker's own");
     }
 };
 

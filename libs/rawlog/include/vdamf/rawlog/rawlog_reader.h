@@ -24,10 +24,10 @@ struct RawlogEntry
         Damaged   ///< an object that could not be read, with the bytes up to the next known object
     };
     Kind kind = Kind::Object;
-    std::string bytes;                            ///< as they stand in the (uncompressed) file
+    std::string bytes;                               ///< as they stand in the (uncompressed) file
     mrpt::serialization::CSerializable::Ptr object;  ///< null unless kind is Object
-    std::uint64_t offset = 0;                     ///< of the first byte, uncompressed
-    std::string problem;                          ///< why, for Unknown and Damaged
+    std::uint64_t offset = 0;                        ///< of the first byte, uncompressed
+    std::string problem;                             ///< why, for Unknown and Damaged
 };
 
 /// What a reader met so far.
@@ -37,10 +37,10 @@ struct RawlogSummary
     std::uint64_t nulls = 0;
     std::uint64_t unknown = 0;
     std::uint64_t damaged = 0;
-    std::uint64_t bytes = 0;             ///< uncompressed
-    std::vector<std::string> problems;   ///< the first 20, each with its offset
-    bool truncated = false;              ///< the file ends inside an object or its gz stream breaks
-    std::string truncation;              ///< what was met there
+    std::uint64_t bytes = 0;            ///< uncompressed
+    std::vector<std::string> problems;  ///< the first 20, each with its offset
+    bool truncated = false;             ///< the file ends inside an object or its gz stream breaks
+    std::string truncation;             ///< what was met there
 };
 
 /// Streams the entries of a rawlog in file order. Memory holds one entry at a time.

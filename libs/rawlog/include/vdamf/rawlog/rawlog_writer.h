@@ -26,9 +26,9 @@ class RawlogWriter
 public:
     struct Options
     {
-        int gzLevel = 1;                          ///< 0: plain file, 1..9: gz
-        int threads = 2;                          ///< compressing; 0: in the calling thread
-        std::size_t memberBytes = 4 << 20;        ///< uncompressed size of a gz member, about
+        int gzLevel = 1;                    ///< 0: plain file, 1..9: gz
+        int threads = 2;                    ///< compressing; 0: in the calling thread
+        std::size_t memberBytes = 4 << 20;  ///< uncompressed size of a gz member, about
         OutputFile::Existing existing = OutputFile::Existing::Refuse;
         OutputFile::Unfinished unfinished = OutputFile::Unfinished::Discard;
     };
@@ -43,6 +43,8 @@ public:
     /// Ends the current member and waits until all so far is with the operating system.
     void flush();
     void commit();
+    /// Gives the file up: nothing stays behind.
+    void discard();
 
     const std::filesystem::path& partialPath() const;
 

@@ -33,18 +33,18 @@ struct TrackRawlogJob
 struct TrackRawlogSummary
 {
     RawlogSummary read;
-    std::uint64_t scans = 0;         ///< in the rawlog
-    std::uint64_t frames = 0;        ///< tracked and annotated
-    std::uint64_t withoutPose = 0;   ///< scans skipped: no INS pose at their time
-    std::uint64_t outOfOrder = 0;    ///< scans skipped: not later than the one before
-    std::uint64_t unreadable = 0;    ///< scans skipped: cannot be read
-    std::string firstUnreadable;     ///< why
-    std::uint64_t tracksConfirmed = 0;  ///< different identities that were confirmed
-    double firstTime = 0.0, lastTime = 0.0;      ///< of the frames, s (UNIX)
+    std::uint64_t scans = 0;                 ///< in the rawlog
+    std::uint64_t frames = 0;                ///< tracked and annotated
+    std::uint64_t withoutPose = 0;           ///< scans skipped: no INS pose at their time
+    std::uint64_t outOfOrder = 0;            ///< scans skipped: not later than the one before
+    std::uint64_t unreadable = 0;            ///< scans skipped: cannot be read
+    std::string firstUnreadable;             ///< why
+    std::uint64_t tracksConfirmed = 0;       ///< different identities that were confirmed
+    double firstTime = 0.0, lastTime = 0.0;  ///< of the frames, s (UNIX)
     std::string insSource;
     /// Seconds spent: reading (with parsing), scan to world frame, the tracker's stages, writing.
     double readSeconds = 0.0, frameSeconds = 0.0, writeSeconds = 0.0;
-    std::array<double, 7> stageSeconds{};        ///< by Stage
+    std::array<double, 7> stageSeconds{};  ///< by Stage
     /// Updates of confirmed tracks, and how many had an NIS below the median and above the 99 %
     /// point of the chi-square distribution with 3 degrees of freedom.
     std::uint64_t nisCount = 0, nisBelowMedian = 0, nisAbove99 = 0;

@@ -28,17 +28,18 @@ struct AssociationOptions
               "hits farther than this from a predicted box speak against it");
         field(self.lengthSlack, "length_slack_m", 0.0, 5.0,
               "by which several clusters together may exceed the predicted length");
-        field(self.widthSlack, "width_slack_m", 0.0, 5.0, "... and width");
+        field(self.widthSlack, "width_slack_m", 0.0, 5.0,
+              "by which several clusters together may exceed the predicted width");
     }
 };
 
 /// What the auction knows of a track.
 struct PredictedTarget
 {
-    OrientedBox box;           ///< in the frame of the hits
+    OrientedBox box;             ///< in the frame of the hits
     double positionSigma = 0.0;  ///< of the centre along each axis, about, m
-    double lengthSigma = 0.0;  ///< m
-    double widthSigma = 0.0;   ///< m
+    double lengthSigma = 0.0;    ///< m
+    double widthSigma = 0.0;     ///< m
 };
 
 /// For each target the indices of its clusters, rising; a cluster goes to one target at most.

@@ -15,42 +15,48 @@ namespace vdamf
 {
 struct MotionOptions
 {
-    double accelerationSigma = 1.5;     ///< m/s^2
-    double maxCurvatureRate = 0.25;     ///< 1/(m s)
-    double lateralJerk = 3.0;           ///< m/s^3
-    double slipSigma = 0.02;            ///< m/sqrt(s)
+    double accelerationSigma = 1.5;           ///< m/s^2
+    double maxCurvatureRate = 0.25;           ///< 1/(m s)
+    double lateralJerk = 3.0;                 ///< m/s^3
+    double slipSigma = 0.02;                  ///< m/sqrt(s)
     double headingSigma = 0.2 * kPi / 180.0;  ///< rad/sqrt(s)
-    double axisSigma = 0.03;            ///< m/sqrt(s)
-    double axisTime = 45.0;             ///< s
-    double axisFraction = 0.28;         ///< of the length
-    double axisFractionSigma = 0.1;     ///< of the length
-    double maxCurvature = 0.25;         ///< 1/m
-    double maxLateralAcceleration = 6.0;  ///< m/s^2
+    double axisSigma = 0.03;                  ///< m/sqrt(s)
+    double axisTime = 45.0;                   ///< s
+    double axisFraction = 0.28;               ///< of the length
+    double axisFractionSigma = 0.1;           ///< of the length
+    double maxCurvature = 0.25;               ///< 1/m
+    double maxLateralAcceleration = 6.0;      ///< m/s^2
 
     template <class Self, class Visitor>
     static void visit(Self& self, Visitor&& field)
     {
-        field(self.accelerationSigma, "acceleration_sigma_mps2", 0.01, 20.0, "along the heading");
+        field(self.accelerationSigma, "acceleration_sigma_mps2", 0.01, 20.0,
+              "acceleration along the heading");
         field(self.maxCurvatureRate, "max_curvature_rate", 1e-4, 5.0,
               "steering at low speed, 1/(m s)");
         field(self.lateralJerk, "lateral_jerk_mps3", 0.01, 50.0,
               "steering at high speed: the curvature rate is this over speed^2");
         field(self.slipSigma, "slip_sigma", 0.0, 1.0, "side slip and model error, m / sqrt(s)");
-        field(self.headingSigma, "heading_sigma_deg", 0.0, 30.0, "model error, deg / sqrt(s)");
-        field(self.axisSigma, "axis_sigma", 0.0, 1.0, "wander of the axis offset, m / sqrt(s)");
-        field(self.axisTime, "axis_time_s", 1.0, 1000.0, "in which the offset returns to its prior");
+        field(self.headingSigma, "heading_sigma_deg", 0.0, 30.0,
+              "model error of the heading, deg / sqrt(s)");
+        field(self.axisSigma, "axis_sigma", 0.0, 1.0,
+              "wander of the offset of the axle, m / sqrt(s)");
+        field(self.axisTime, "axis_time_s", 1.0, 1000.0,
+              "time in which that offset returns to its prior");
         field(self.axisFraction, "axis_fraction", -0.1, 0.5,
               "prior of the offset of the axle behind the centre, in lengths");
-        field(self.axisFractionSigma, "axis_fraction_sigma", 0.001, 0.5, "of that prior, in lengths");
-        field(self.maxCurvature, "max_curvature", 0.01, 1.0, "of a path, 1/m");
+        field(self.axisFractionSigma, "axis_fraction_sigma", 0.001, 0.5,
+              "standard deviation of that prior, in lengths");
+        field(self.maxCurvature, "max_curvature", 0.01, 1.0, "largest curvature of a path, 1/m");
         field(self.maxLateralAcceleration, "max_lateral_acceleration_mps2", 0.5, 30.0,
-              "limits the curvature at speed");
+              "limit of the curvature at speed");
     }
 };
 
 /// State after dt seconds: closed form in the arc length, valid at standstill and in reverse.
 /// `length` (m) sets the prior that the axis offset returns to.
-Vector6d predictState(const Vector6d& state, double dt, double length, const MotionOptions& options);
+Vector6d predictState(const Vector6d& state, double dt, double length,
+                      const MotionOptions& options);
 
 /// d predictState / d state.
 Matrix6d transitionJacobian(const Vector6d& state, double dt, const MotionOptions& options);

@@ -38,7 +38,8 @@ public:
 
     /// The state `dt` seconds later; `length` (m) is that of the vehicle.
     VehicleState predict(const VehicleState& state, double dt, double length);
-    UpdatedState update(const VehicleState& state, const PoseMeasurement& measurement, double length);
+    UpdatedState update(const VehicleState& state, const PoseMeasurement& measurement,
+                        double length);
 
 private:
     class Engine;

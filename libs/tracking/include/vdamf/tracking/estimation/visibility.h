@@ -30,7 +30,7 @@ struct VisibilityOptions
         field(self.headingFloor, "heading_floor_deg", 0.0, 30.0,
               "model error of a measured heading");
         field(self.endOnlyHeadingFloor, "end_only_heading_floor_deg", 0.0, 90.0,
-              "the same where no side is seen");
+              "model error of a measured heading where no side is seen");
         field(self.unseenSigma, "unseen_sigma_m", 0.01, 5.0,
               "error of a position measured without any face seen");
         field(self.sizeSigma, "size_sigma_m", 0.01, 2.0, "error of one measured length or width");
@@ -38,10 +38,12 @@ struct VisibilityOptions
               "drift that the average of measured sizes allows, m / sqrt(frame)");
         field(self.assumeVehicleSize, "assume_vehicle_size",
               "sizes start from a car's where a seen end or side fits a car");
-        field(self.carLength, "car_length_m", 2.0, 8.0, "of an assumed car");
-        field(self.carLengthSigma, "car_length_sigma_m", 0.05, 3.0, "of the assumed length");
-        field(self.carWidth, "car_width_m", 1.0, 3.0, "of an assumed car");
-        field(self.carWidthSigma, "car_width_sigma_m", 0.02, 1.0, "of the assumed width");
+        field(self.carLength, "car_length_m", 2.0, 8.0, "length of an assumed car");
+        field(self.carLengthSigma, "car_length_sigma_m", 0.05, 3.0,
+              "standard deviation of that length");
+        field(self.carWidth, "car_width_m", 1.0, 3.0, "width of an assumed car");
+        field(self.carWidthSigma, "car_width_sigma_m", 0.02, 1.0,
+              "standard deviation of that width");
     }
 };
 
@@ -61,8 +63,14 @@ struct SizeMemory
 
 /// Whether a measurement locates both ends of the vehicle's length or width: the ends of a face
 /// seen are where its hits end, so a side tells the length and an end the width.
-inline bool locatesLength(const Measurement& m) { return m.facesSeen.seesSide(); }
-inline bool locatesWidth(const Measurement& m) { return m.facesSeen.seesEnd(); }
+inline bool locatesLength(const Measurement& m)
+{
+    return m.facesSeen.seesSide();
+}
+inline bool locatesWidth(const Measurement& m)
+{
+    return m.facesSeen.seesEnd();
+}
 
 /// Memory of a new track: what is measured, after a car's size where that fits (assumeVehicleSize).
 SizeMemory initialSize(const Measurement& measurement, const VisibilityOptions& options);

@@ -44,9 +44,10 @@ struct FitOptions
     template <class Self, class Visitor>
     static void visit(Self& self, Visitor&& field)
     {
-        field(self.optimizer, "optimizer", "maximises the response (paper, 4.3)");
-        field(self.maxIterations, "max_iterations", 1, 1000, "of one optimisation");
-        field(self.tolerance, "tolerance", 1e-9, 0.1, "step that ends it, m and rad");
+        field(self.optimizer, "optimizer", "what maximises the response (paper, 4.3)");
+        field(self.maxIterations, "max_iterations", 1, 1000,
+              "most evaluations of the response in one optimisation");
+        field(self.tolerance, "tolerance", 1e-9, 0.1, "step that ends an optimisation, m and rad");
         field(self.minLength, "min_length_m", 0.85, 5.0, "smallest length of a fitted box");
         field(self.maxLength, "max_length_m", 5.0, 60.0, "largest length of a fitted box");
         field(self.minWidth, "min_width_m", 0.65, 2.0, "smallest width of a fitted box");
@@ -67,10 +68,10 @@ struct SizePrior
 /// Result of one optimisation.
 struct Fit
 {
-    OrientedBox box;       ///< in the frame of the hits; heading within (-pi, pi]
-    double match = 0.0;    ///< response M per hit, 1/m, without the prior
-    double phi = 0.0;      ///< bearing to the sensor that the optimisation used, rad
-    int iterations = 0;    ///< evaluations of the response
+    OrientedBox box;     ///< in the frame of the hits; heading within (-pi, pi]
+    double match = 0.0;  ///< response M per hit, 1/m, without the prior
+    double phi = 0.0;    ///< bearing to the sensor that the optimisation used, rad
+    int iterations = 0;  ///< evaluations of the response
     bool converged = false;
 };
 

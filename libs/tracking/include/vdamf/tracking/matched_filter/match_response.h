@@ -20,7 +20,7 @@ namespace vdamf
 /// R(theta) (t_x, t_y).
 struct MatchResponse
 {
-    double value = 0.0;                           ///< M, hits / m
+    double value = 0.0;  ///< M, hits / m
     Vector5d gradient = Vector5d::Zero();
     Matrix5d hessian = Matrix5d::Zero();
 };

@@ -27,10 +27,10 @@ struct EnumNames<FilterKind>
 struct MeasureOptions
 {
     FilterKind filter = FilterKind::CoarseToFine;
-    double sigma = 0.2;          ///< m
-    double mergeCell = 0.1;      ///< m
-    double hitSigma = 0.12;      ///< m
-    double sizePriorWeight = 0.02;  ///< 1/m^3
+    double sigma = 0.2;                        ///< m
+    double mergeCell = 0.1;                    ///< m
+    double hitSigma = 0.12;                    ///< m
+    double sizePriorWeight = 0.02;             ///< 1/m^3
     double minFaceAngle = 10.0 * kPi / 180.0;  ///< rad
     int minFaceHits = 5;
     bool reachOverHits = true;
@@ -39,14 +39,17 @@ struct MeasureOptions
     template <class Self, class Visitor>
     static void visit(Self& self, Visitor&& field)
     {
-        field(self.filter, "filter", "paper: Table 1; coarse_to_fine: narrowed twice from there");
-        field(self.sigma, "sigma_m", 0.02, 1.0, "of the Gaussian around each hit (Eq. 2)");
-        field(self.mergeCell, "merge_cell_m", 0.0, 0.5,
-              "hits that share a cell of this size count as one Gaussian with their weight; 0: off");
+        field(self.filter, "filter", "filter: Table 1 of the paper, or from there twice narrowed");
+        field(self.sigma, "sigma_m", 0.02, 1.0,
+              "standard deviation of the Gaussian around each hit (Eq. 2)");
+        field(
+            self.mergeCell, "merge_cell_m", 0.0, 0.5,
+            "hits that share a cell of this size count as one Gaussian with their weight; 0: off");
         field(self.hitSigma, "hit_sigma_m", 0.001, 1.0,
               "sigma_p of Eq. 14: effective scatter of one hit about the surface");
-        field(self.sizePriorWeight, "size_prior_weight", 0.0, 10.0,
-              "pull of a track's known size on the fit, response per hit / m^2; 0: as in the paper");
+        field(
+            self.sizePriorWeight, "size_prior_weight", 0.0, 10.0,
+            "pull of a track's known size on the fit, response per hit / m^2; 0: as in the paper");
         field(self.minFaceAngle, "min_face_angle_deg", 0.0, 45.0,
               "grazing angle from which a face counts as seen");
         field(self.minFaceHits, "min_face_hits", 1, 100, "hits that a face needs to count as seen");
@@ -63,8 +66,8 @@ FaceSet facesSeen(const Hits& hits, const OrientedBox& box, const Eigen::Vector2
 
 /// Measures a target from a start, for example a track's predicted pose and size. `known` size, if
 /// given, is held to with sizePriorWeight. Coordinates: those of the hits.
-Measurement measureTarget(const Hits& hits, const Eigen::Vector2d& sensor,
-                          const OrientedBox& start, const MeasureOptions& options,
+Measurement measureTarget(const Hits& hits, const Eigen::Vector2d& sensor, const OrientedBox& start,
+                          const MeasureOptions& options,
                           const std::optional<Eigen::Vector2d>& knownLengthWidth = std::nullopt);
 
 /// Start for hits of which nothing is known (4.3: "the boundaries of each cluster provide a

@@ -11,8 +11,8 @@ namespace vdamf
 {
 struct ClusterOptions
 {
-    double gap = 0.5;         ///< that joins two cells close to the sensor, m
-    double gapPerRange = 0.02;  ///< growth of the gap with the range from the sensor, rad
+    double gap = 0.4;           ///< that joins two cells close to the sensor, m
+    double gapPerRange = 0.01;  ///< growth of the gap with the range from the sensor, rad
     double maxGap = 0.8;      ///< at any range, m; vehicles keep 1 m from other objects (section 2)
     double maxExtent = 30.0;  ///< longer clusters (walls, facades) are dropped, m
     int minPoints = 5;        ///< smaller clusters are dropped

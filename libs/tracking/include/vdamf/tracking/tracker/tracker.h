@@ -21,8 +21,8 @@ namespace vdamf
 struct LifecycleOptions
 {
     int minHits = 10;
-    double minHeight = 0.4;        ///< m
-    double maxExtent = 25.0;       ///< m
+    double minHeight = 0.4;   ///< m
+    double maxExtent = 25.0;  ///< m
     int confirmHits = 3;
     int tentativeMisses = 2;
     double maxCoast = 1.0;         ///< s
@@ -32,15 +32,18 @@ struct LifecycleOptions
     template <class Self, class Visitor>
     static void visit(Self& self, Visitor&& field)
     {
-        field(self.minHits, "min_hits", 3, 1000, "on a cluster that starts a track");
-        field(self.minHeight, "min_height_m", 0.0, 3.0, "of a cluster that starts a track");
-        field(self.maxExtent, "max_extent_m", 3.0, 60.0, "diagonal of a cluster that starts a track");
+        field(self.minHits, "min_hits", 3, 1000, "least hits of a cluster that starts a track");
+        field(self.minHeight, "min_height_m", 0.0, 3.0,
+              "least height of a cluster that starts a track");
+        field(self.maxExtent, "max_extent_m", 3.0, 60.0,
+              "largest diagonal of a cluster that starts a track");
         field(self.confirmHits, "confirm_hits", 1, 50, "measured frames that confirm a track");
         field(self.tentativeMisses, "tentative_misses", 1, 50,
               "frames without hits that end a tentative track");
         field(self.maxCoast, "max_coast_s", 0.0, 10.0,
               "time without hits that ends a confirmed track");
-        field(self.startSpeedSigma, "start_speed_sigma_mps", 0.1, 40.0, "of a new track's speed");
+        field(self.startSpeedSigma, "start_speed_sigma_mps", 0.1, 40.0,
+              "standard deviation of a new track's speed");
         field(self.nisGate, "nis_gate", 1.0, 1000.0,
               "chi-square value with 3 degrees of freedom above which a measurement counts less "
               "(11.34: 99 %)");

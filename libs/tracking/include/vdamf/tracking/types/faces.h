@@ -21,7 +21,10 @@ struct FaceSet
     std::uint8_t bits = 0;
 
     bool has(Face face) const { return (bits & static_cast<std::uint8_t>(face)) != 0; }
-    void add(Face face) { bits = static_cast<std::uint8_t>(bits | static_cast<std::uint8_t>(face)); }
+    void add(Face face)
+    {
+        bits = static_cast<std::uint8_t>(bits | static_cast<std::uint8_t>(face));
+    }
     bool empty() const { return bits == 0; }
     bool seesEnd() const { return has(Face::Front) || has(Face::Back); }
     bool seesSide() const { return has(Face::Left) || has(Face::Right); }

@@ -12,14 +12,14 @@ namespace vdamf
 /// the caller's (the frame's origin inside the tracker).
 struct Measurement
 {
-    OrientedBox box;       ///< m, rad
+    OrientedBox box;  ///< m, rad
     /// Of (x, y, heading, length, width), Eq. (14): m and rad.
     Matrix5d covariance = Matrix5d::Zero();
-    double match = 0.0;    ///< response per hit, 1/m
+    double match = 0.0;  ///< response per hit, 1/m
     int hits = 0;
-    int iterations = 0;    ///< of the fit, all steps together
+    int iterations = 0;  ///< of the fit, all steps together
     bool converged = false;
-    FaceSet facesSeen;     ///< faces towards the sensor with enough hits on them
+    FaceSet facesSeen;  ///< faces towards the sensor with enough hits on them
 };
 
 }  // namespace vdamf

@@ -56,9 +56,9 @@ struct TrackReport
 /// drawn, evaluated and asserted on.
 struct FrameResult
 {
-    double time = 0.0;             ///< of the frame, s (UNIX)
+    double time = 0.0;                ///< of the frame, s (UNIX)
     std::vector<TrackReport> tracks;  ///< by rising id
-    std::size_t points = 0;        ///< in the frame
+    std::size_t points = 0;           ///< in the frame
     std::size_t pointsAboveGround = 0;
     std::size_t clusters = 0;
     std::vector<std::string> warnings;
