@@ -4,13 +4,11 @@
 #include <gtest/gtest.h>
 #include <mrpt/obs/CObservationOdometry.h>
 #include <mrpt/obs/CSensoryFrame.h>
-#include <zlib.h>
 
 #include <random>
 
 #include "../files/temporary_folder.h"
 #include "example_objects.h"
-#include "sample_rawlogs.h"
 
 namespace vdamf
 {
@@ -282,34 +280,6 @@ TEST_F(RawlogReaderTest, ObservationsOfABrokenFrameAreSaved)
     EXPECT_EQ(1, numberOf(result.entries[2]));
     EXPECT_TRUE(result.summary.truncated);
 }
-
-class SampleRawlogs : public ::testing::TestWithParam<const char*>
-{
-};
-
-TEST_P(SampleRawlogs, EntriesAreTheWholeFile)
-{
-    const auto path = test::sampleRawlog(GetParam());
-    if (path.empty()) GTEST_SKIP() << test::whereSamplesAre();
-    RawlogReader reader(path);
-    const auto entries = entriesOf(reader);
-    gzFile file = gzopen(path.c_str(), "rb");
-    std::string expected(64 << 20, '\0');
-    const int size = gzread(file, expected.data(), static_cast<unsigned>(expected.size()));
-    gzclose(file);
-    ASSERT_GT(size, 0);
-    expected.resize(static_cast<std::size_t>(size));
-    EXPECT_TRUE(expected == concatenated(entries));
-    EXPECT_EQ(entries.size(), reader.summary().objects);
-    EXPECT_FALSE(reader.summary().truncated) << reader.summary().truncation;
-}
-
-INSTANTIATE_TEST_SUITE_P(Mrpt, SampleRawlogs,
-                         ::testing::Values("test_velodyne_VLP16.rawlog", "rot_scan_velodyne.rawlog",
-                                           "rot_scan_2d.rawlog", "test_rtk_path.rawlog",
-                                           "test-3d-obs-ground.rawlog", "tests_rgbd.rawlog",
-                                           "test-imu-obs-format3.rawlog",
-                                           "test-imu-obs-format4.rawlog"));
 
 }  // namespace
 }  // namespace vdamf

@@ -10,8 +10,6 @@
 #include <set>
 
 #include "../files/temporary_folder.h"
-#include "example_objects.h"
-#include "sample_rawlogs.h"
 #include "vdamf/tracking/types/geometry.h"
 
 namespace vdamf
@@ -262,41 +260,6 @@ TEST(VelodyneDecoder, SkipsBrokenBlocks)
     poke(scan, 0, 100, 0x00);  // header of block 1
     poke(scan, 0, 203, 0xff);  // azimuth of block 2
     EXPECT_EQ(10u * 32, decodeVelodyne(scan).size());
-}
-
-TEST(VelodyneDecoder, FindsAllPointsOfARecordedScan)
-{
-    const auto path = test::sampleRawlog("test_velodyne_VLP16.rawlog");
-    if (path.empty()) GTEST_SKIP() << test::whereSamplesAre();
-    RawlogReader reader(path);
-    const auto entries = test::entriesOf(reader);
-    ASSERT_EQ(1u, entries.size());
-    auto scan = std::dynamic_pointer_cast<Scan>(entries[0].object);
-    ASSERT_TRUE(scan);
-    const PointCloud cloud = decodeVelodyne(*scan);
-    EXPECT_EQ(22591u, cloud.size());
-    EXPECT_GT(cloud.time.back(), 0.09F);
-    EXPECT_LT(cloud.time.back(), 0.11F);
-    // MRPT's points are the first half of each block's, with azimuths rounded to 0.01 degrees.
-    scan->generatePointCloud();
-    const auto& theirs = scan->point_cloud;
-    ASSERT_EQ(11305u, theirs.size());
-    std::size_t ours = 0;
-    double worst = 0.0;
-    for (std::size_t i = 0; i < theirs.size(); ++i, ++ours)
-    {
-        const auto angleApart = [&]
-        {
-            return std::hypot(cloud.x[ours] - theirs.x[i], cloud.y[ours] - theirs.y[i]) /
-                   rangeOf(cloud, ours);
-        };
-        const auto isOther = [&]
-        { return std::abs(cloud.z[ours] - theirs.z[i]) > 1e-4 || angleApart() > 0.002; };
-        while (ours < cloud.size() && isOther()) ++ours;
-        ASSERT_LT(ours, cloud.size()) << "no point like MRPT's " << i;
-        worst = std::max(worst, angleApart());
-    }
-    EXPECT_LT(worst * 180.0 / kPi, 0.03);
 }
 
 }  // namespace
