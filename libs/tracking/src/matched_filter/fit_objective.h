@@ -58,9 +58,9 @@ public:
         return match / hits_.totalWeight;
     }
 
-    /// Differences of values smaller than this are rounding, for values about `value`. A hit's
-    /// part in the response is at most about 1 / m, of which single precision keeps seven digits.
-    double resolution(double value) const { return kernel_ ? 1e-7 : 1e-12 * std::abs(value); }
+    /// Differences of values smaller than this are rounding, for values about `value`. Single
+    /// precision places an edge to 1e-7 m, where the response per hit changes by up to 3 / m^2.
+    double resolution(double value) const { return kernel_ ? 3e-7 : 1e-12 * std::abs(value); }
 
 private:
     MatchResponse response(const OrientedBox& box) const

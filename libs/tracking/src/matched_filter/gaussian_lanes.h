@@ -50,16 +50,14 @@ template <int kWidth>
     const Bits bits = ((Bits)fraction + ((Bits)shifted << 23)) & (Bits)(power > -50.0F);
     const Real g = (Real)bits;
 
-    // 1/2 erfc(sqrt(ln 2) s) = 2^(-s^2) times a polynomial in 1 / (1 + p s), the form of Abramowitz
-    // and Stegun 7.1.26 with p and the coefficients fitted anew to 1e-8.
+    // 1/2 erfc by Abramowitz and Stegun 7.1.26, with sqrt(ln 2) in its constant for our s.
     const Bits sign = (Bits)s & 0x80000000U;
     const Real distance = (Real)((Bits)s ^ sign);
-    const Real t = 1.0F / (1.0F + 0.32F * distance);
-    const Real tail = g * t *
-                      (0.1186357897F +
-                       t * (0.02585870616F +
-                            t * (0.3751596776F +
-                                 t * (-0.389681322F + t * (0.4893977016F + t * -0.1193705435F)))));
+    const Real t = 1.0F / (1.0F + (0.3275911F * 0.832554611F) * distance);
+    const Real tail =
+        g * t *
+        (0.127414796F +
+         t * (-0.142248368F + t * (0.7107068705F + t * (-0.7265760135F + t * 0.5307027145F))));
     const Real step = (Real)((Bits)(0.5F - tail) ^ sign);
     // d step / ds = sqrt(ln 2 / pi) 2^(-s^2); d 2^(-s^2) / ds = -2 ln 2 s 2^(-s^2).
     const Real density = 0.469718639F * g;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Section 4.3: Newton steps with the exact Hessian, shifted until it is definite.
+#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <cmath>
 
@@ -28,6 +29,25 @@ bool heldAtBound(int parameter, const OrientedBox& box, double gradient, const F
     return (size <= min && gradient > 0.0) || (size >= max && gradient < 0.0);
 }
 
+// The step to the bottom of gradient and Hessian, all curvatures made positive.
+Vector5d newtonStep(const Vector5d& g, const Matrix5d& h, double damping)
+{
+    const double largest = h.norm();  // the largest curvature or up to sqrt(5) times that
+    const double least = kLeastCurvature * largest;
+    const Matrix5d one = Matrix5d::Identity();
+    // Near the optimum nothing is to be made positive, which Cholesky's decomposition tells and
+    // uses in a third of the time that eigenvalues take.
+    if (Eigen::LLT<Matrix5d>(h - least * one).info() == Eigen::Success)
+        return -Eigen::LLT<Matrix5d>(h + damping * largest * one).solve(g);
+    // Away from it the Hessian is indefinite. Turning negative curvatures positive keeps the step
+    // downhill along every axis, and at full length along the well-shaped ones.
+    const Eigen::SelfAdjointEigenSolver<Matrix5d> eigen(h);
+    const Vector5d curvature =
+        (eigen.eigenvalues().cwiseAbs().array().max(least) + damping * largest).matrix();
+    const Vector5d along = eigen.eigenvectors().transpose() * g;
+    return -eigen.eigenvectors() * along.cwiseQuotient(curvature);
+}
+
 struct Step
 {
     Vector5d move;      // in the parameters' own units
@@ -46,15 +66,7 @@ Step dampedStep(const FitCost& cost, const OrientedBox& box, double damping, con
         h.col(k).setZero();
         h(k, k) = 1.0;
     }
-    const Eigen::SelfAdjointEigenSolver<Matrix5d> eigen(h);
-    const double largest = eigen.eigenvalues().cwiseAbs().maxCoeff();
-    // Away from the optimum the Hessian is indefinite. Turning negative curvatures positive keeps
-    // the step downhill along every axis, and at full length along the well-shaped ones.
-    const Vector5d curvature =
-        (eigen.eigenvalues().cwiseAbs().array().max(kLeastCurvature * largest) + damping * largest)
-            .matrix();
-    const Vector5d along = eigen.eigenvectors().transpose() * g;
-    Vector5d step = -eigen.eigenvectors() * along.cwiseQuotient(curvature);
+    Vector5d step = newtonStep(g, h, damping);
     const Vector5d move = kScale.cwiseProduct(step);
     const double excess = std::max({move.head<2>().norm() / kMaxMove, std::abs(move(2)) / kMaxTurn,
                                     move.tail<2>().cwiseAbs().maxCoeff() / kMaxGrowth, 1.0});

@@ -136,6 +136,7 @@ void uniteWithNeighbours(const CellGrid& grid, std::uint32_t number, float gap, 
 {
     const Cell& cell = grid.cells[number];
     const int reach = static_cast<int>(gap * (1.0F / kCell)) + 1;
+    std::uint32_t root = sets.root(number);
     const int lastRow = std::min(cell.row + reach, grid.bitmap.rows() - 1);
     for (int row = cell.row; row <= lastRow; ++row)
     {
@@ -150,7 +151,7 @@ void uniteWithNeighbours(const CellGrid& grid, std::uint32_t number, float gap, 
         {
             const float dx = grid.cells[n].x - cell.x;
             const float dy = grid.cells[n].y - cell.y;
-            if (dx * dx + dy * dy <= gap * gap) sets.unite(number, n);
+            if (dx * dx + dy * dy <= gap * gap) root = sets.unite(root, n);
         }
     }
 }

@@ -27,12 +27,13 @@ public:
         return element;
     }
 
-    void unite(std::uint32_t a, std::uint32_t b)
+    /// Returns the root of the united set.
+    std::uint32_t unite(std::uint32_t a, std::uint32_t b)
     {
         a = root(a);
         b = root(b);
-        if (a < b) parent_[b] = a;
-        if (b < a) parent_[a] = b;
+        if (a < b) return parent_[b] = a;
+        return parent_[a] = b;
     }
 
 private:

@@ -130,19 +130,22 @@ inline void learnFrom(Profile& p, const Profile& neighbour, float arc)
     p.ss += w * (neighbour.ss - p.ss);
 }
 
-// Sectors that see the ground teach those that do not, around the circle both ways. More than one
-// turn is never needed: what is known worst is next to something better within half of one.
+// Sectors that see the ground teach those that do not: once around the circle both ways, from the
+// one that knows best.
 void exchangeAcross(std::vector<Profile>& profiles, float range)
 {
-    constexpr int kSectors = PolarGrid::kSectors;
-    const float arc = range * static_cast<float>(2.0 * kPi) / kSectors;
-    for (int i = 1; i < kSectors + kSectors / 2; ++i)
-        learnFrom(profiles[static_cast<std::size_t>(i % kSectors)],
-                  profiles[static_cast<std::size_t>((i - 1) % kSectors)], arc);
-    for (int i = kSectors + kSectors / 2; i > 0; --i)
-        learnFrom(profiles[static_cast<std::size_t>((i - 1) % kSectors)],
-                  profiles[static_cast<std::size_t>(i % kSectors)], arc);
+    const std::size_t n = profiles.size();
+    const float arc = range * static_cast<float>(2.0 * kPi) / static_cast<float>(n);
+    const auto best =
+        std::min_element(profiles.begin(), profiles.end(),
+                         [](const Profile& a, const Profile& b) { return a.hh < b.hh; });
+    const auto start = static_cast<std::size_t>(best - profiles.begin());
+    for (std::size_t i = start + 1; i < start + n; ++i)
+        learnFrom(profiles[i % n], profiles[(i - 1) % n], arc);
+    for (std::size_t i = start + n; i > start + 1; --i)
+        learnFrom(profiles[(i - 1) % n], profiles[i % n], arc);
 }
+
 std::vector<float> edgeRanges(const PolarGrid& grid)
 {
     std::vector<float> ranges;

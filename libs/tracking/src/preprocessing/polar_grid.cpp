@@ -90,9 +90,10 @@ std::vector<LowHits> lowestHits(const PointCloud& points, const PolarHits& hits,
         const int cell = grid.cell(hits.sector[i], static_cast<int>(hits.ring[i]));
         auto& low = keys[static_cast<std::size_t>(cell)];
         const Key key = keyOf(points.z[i], i);
-        const Key higher = std::max(low[0], key);
-        low[0] = std::min(low[0], key);
-        low[1] = std::min(low[1], higher);
+        // Exchanges key and low[0] where key is less, by arithmetic.
+        const Key exchange = (key ^ low[0]) & (Key{0} - static_cast<Key>(key < low[0]));
+        low[0] ^= exchange;
+        low[1] = std::min(low[1], key ^ exchange);
     }
     std::vector<LowHits> lowHits(cells);
     for (std::size_t cell = 0; cell < cells; ++cell)
