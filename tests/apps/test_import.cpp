@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vdamf-import through its command line: exit codes, messages, files.
 #include <gmock/gmock.h>
-#include <sys/wait.h>
 
-#include <array>
-#include <cstdio>
-
-#include "../files/temporary_folder.h"
-#include "../rawlog/kitti_example_drive.h"
+#include "apps/command_line.h"
+#include "files/temporary_folder.h"
+#include "rawlog/kitti_example_drive.h"
 #include "vdamf/evaluation/tables.h"
 
 namespace vdamf
@@ -16,27 +13,9 @@ namespace
 {
 using ::testing::HasSubstr;
 
-struct Outcome
-{
-    int exitCode = -1;
-    std::string output;  ///< of both streams
-};
-
 Outcome import(const std::string& arguments)
 {
-    const std::string command =
-        std::string(VDAMF_APPS_DIR) + "/vdamf-import " + arguments + " 2>&1";
-    Outcome run;
-    std::FILE* pipe = ::popen(command.c_str(), "r");
-    if (pipe == nullptr) return run;
-    std::array<char, 4096> buffer = {};
-    while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), pipe))
-    {
-        run.output.append(buffer.data(), count);
-    }
-    const int status = ::pclose(pipe);
-    if (WIFEXITED(status)) run.exitCode = WEXITSTATUS(status);
-    return run;
+    return runApp("vdamf-import", arguments);
 }
 
 class ImportAppTest : public TemporaryFolder

@@ -38,8 +38,7 @@ protected:
     void SetUp() override
     {
         const char* data = std::getenv("VDAMF_DATA_DIR");
-        if (data == nullptr)
-            GTEST_SKIP() << "VDAMF_DATA_DIR is not set: no recordings to track";
+        if (data == nullptr) GTEST_SKIP() << "VDAMF_DATA_DIR is not set: no recordings to track";
         data_ = data;
     }
 
@@ -48,10 +47,9 @@ protected:
     {
         const std::string folder = data_ + "/2011_09_26/" + drive;
         if (!std::filesystem::exists(folder)) GTEST_SKIP() << folder << " is absent";
-        const Outcome imported =
-            runApp("vdamf-import", "kitti-raw '" + folder + "' --gz-level 0 -o " +
-                                       at("in.rawlog").string() + " --truth " +
-                                       at("truth.csv").string());
+        const Outcome imported = runApp(
+            "vdamf-import", "kitti-raw '" + folder + "' --gz-level 0 -o " +
+                                at("in.rawlog").string() + " --truth " + at("truth.csv").string());
         ASSERT_EQ(imported.exitCode, 0) << imported.output;
         const Outcome tracked = runApp(
             "vdamf-track", "--set output.gz_level=0 -i " + at("in.rawlog").string() + " -o " +
@@ -96,7 +94,8 @@ protected:
 
     void print() const
     {
-        std::printf("\n  object          boxes  IoU > 0.5  mean IoU   speed  (label)  identities\n");
+        std::printf(
+            "\n  object          boxes  IoU > 0.5  mean IoU   speed  (label)  identities\n");
         for (const auto& [name, o] : objects_)
             std::printf("  %-14s %6d %9.0f %% %9.2f %7.1f %8.1f %8zu\n", name.c_str(), o.boxes,
                         100.0 * o.overlapping / o.boxes, o.iou / o.boxes, o.speed / o.boxes,

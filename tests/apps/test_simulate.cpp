@@ -4,18 +4,16 @@
 #include <gtest/gtest.h>
 #include <mrpt/obs/CObservationRobotPose.h>
 #include <mrpt/obs/CObservationVelodyneScan.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "apps/command_line.h"
+#include "files/temporary_folder.h"
 #include "vdamf/evaluation/tables.h"
 #include "vdamf/rawlog/rawlog_reader.h"
 #include "vdamf/rawlog/velodyne_packets.h"
@@ -52,24 +50,12 @@ x_m = 25
 y_m = 5
 )";
 
-std::string readAll(const fs::path& path)
-{
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
-
-class Simulate : public testing::Test
+class Simulate : public TemporaryFolder
 {
 protected:
-    void SetUp() override
-    {
-        folder_ = fs::temp_directory_path() / ("vdamf_simulate_" + std::to_string(getpid()));
-        fs::create_directories(folder_);
-        writeScenario("VLP-16");
-    }
-    void TearDown() override { fs::remove_all(folder_); }
+    void SetUp() override { writeScenario("VLP-16"); }
 
-    fs::path path(const std::string& name) const { return folder_ / name; }
+    fs::path path(const std::string& name) const { return at(name); }
 
     void writeScenario(const std::string& model)
     {
@@ -81,21 +67,16 @@ protected:
     /// Runs the program in the folder; its exit code. Output: out.txt, errors: err.txt.
     int run(const std::string& arguments) const
     {
-        const std::string command = "cd '" + folder_.string() +
-                                    "' && '" VDAMF_APPS_DIR "/vdamf-simulate' " + arguments +
-                                    " >out.txt 2>err.txt";
-        const int status = std::system(command.c_str());
-        return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+        return runShell("cd '" + at("").string() + "' && '" VDAMF_APPS_DIR "/vdamf-simulate' " +
+                        arguments + " >out.txt 2>err.txt")
+            .exitCode;
     }
-
-private:
-    fs::path folder_;
 };
 
 TEST_F(Simulate, WritesScansPosesAndTruth)
 {
-    ASSERT_EQ(run("scene.ini -o a.rawlog --truth a.csv"), 0) << readAll(path("err.txt"));
-    EXPECT_THAT(readAll(path("out.txt")), HasSubstr("frames      5"));
+    ASSERT_EQ(run("scene.ini -o a.rawlog --truth a.csv"), 0) << contentOf("err.txt");
+    EXPECT_THAT(contentOf("out.txt"), HasSubstr("frames      5"));
     RawlogReader reader(path("a.rawlog"));
     int scans = 0;
     int poses = 0;
@@ -125,9 +106,9 @@ TEST_F(Simulate, SameSeedGivesTheSameBytesAndAnotherSeedDoesNot)
     ASSERT_EQ(run("scene.ini -o a.rawlog --truth a.csv"), 0);
     ASSERT_EQ(run("scene.ini -o b.rawlog --truth b.csv"), 0);
     ASSERT_EQ(run("scene.ini -o c.rawlog --seed 2"), 0);
-    EXPECT_EQ(readAll(path("a.rawlog")), readAll(path("b.rawlog")));
-    EXPECT_EQ(readAll(path("a.csv")), readAll(path("b.csv")));
-    EXPECT_NE(readAll(path("a.rawlog")), readAll(path("c.rawlog")));
+    EXPECT_EQ(contentOf("a.rawlog"), contentOf("b.rawlog"));
+    EXPECT_EQ(contentOf("a.csv"), contentOf("b.csv"));
+    EXPECT_NE(contentOf("a.rawlog"), contentOf("c.rawlog"));
 }
 
 /// The returns of a revolution in the sensor's frame, exact, in the order of the packets.
@@ -155,7 +136,7 @@ TEST_F(Simulate, DecodedScansHaveTheSimulatedPoints)
     for (const char* model : {"VLP-16", "HDL-32E", "HDL-64E"})
     {
         writeScenario(model);
-        ASSERT_EQ(run("scene.ini -o a.rawlog --overwrite"), 0) << readAll(path("err.txt"));
+        ASSERT_EQ(run("scene.ini -o a.rawlog --overwrite"), 0) << contentOf("err.txt");
         const Scenario scenario = readScenario(IniDocument::load(path("scene.ini")));
         RawlogReader reader(path("a.rawlog"));
         mrpt::obs::CObservationVelodyneScan::Ptr scan;
@@ -214,7 +195,7 @@ TEST_F(Simulate, RefusesToReplaceOutputsWithoutBeingTold)
 {
     ASSERT_EQ(run("scene.ini -o a.rawlog --truth a.csv"), 0);
     EXPECT_EQ(run("scene.ini -o a.rawlog"), 1);
-    EXPECT_THAT(readAll(path("err.txt")), HasSubstr("--overwrite"));
+    EXPECT_THAT(contentOf("err.txt"), HasSubstr("--overwrite"));
     EXPECT_EQ(run("scene.ini -o new.rawlog --truth a.csv"), 1);
     EXPECT_FALSE(fs::exists(path("new.rawlog")));
     EXPECT_EQ(run("scene.ini -o a.rawlog --truth a.csv --overwrite"), 0);
@@ -227,20 +208,20 @@ TEST_F(Simulate, BadUseAndBadScenariosEndWithTwo)
     EXPECT_EQ(run("scene.ini -o a.rawlog --gz-level 11"), 2);
     EXPECT_EQ(run("scene.ini -o a --truth a"), 2);
     EXPECT_EQ(run("missing.ini -o a.rawlog"), 2);
-    EXPECT_THAT(readAll(path("err.txt")), HasSubstr("missing.ini"));
+    EXPECT_THAT(contentOf("err.txt"), HasSubstr("missing.ini"));
     std::ofstream(path("bad.ini")) << "[platform]\nsped_mps = 3\n";
     EXPECT_EQ(run("bad.ini -o a.rawlog"), 2);
-    EXPECT_THAT(readAll(path("err.txt")), HasSubstr("bad.ini:2: unknown key platform.sped_mps"));
-    EXPECT_THAT(readAll(path("err.txt")), HasSubstr("speed_mps"));
+    EXPECT_THAT(contentOf("err.txt"), HasSubstr("bad.ini:2: unknown key platform.sped_mps"));
+    EXPECT_THAT(contentOf("err.txt"), HasSubstr("speed_mps"));
     EXPECT_FALSE(fs::exists(path("a.rawlog")));
     EXPECT_EQ(run("--help"), 0);
-    EXPECT_THAT(readAll(path("out.txt")), HasSubstr("Example"));
+    EXPECT_THAT(contentOf("out.txt"), HasSubstr("Example"));
 }
 
 TEST_F(Simulate, AFailedJobEndsWithOneAndLeavesNothing)
 {
     EXPECT_EQ(run("scene.ini -o missing_folder/a.rawlog"), 1);
-    EXPECT_THAT(readAll(path("err.txt")), HasSubstr("missing_folder"));
+    EXPECT_THAT(contentOf("err.txt"), HasSubstr("missing_folder"));
     EXPECT_EQ(run("scene.ini -o a.rawlog --truth missing_folder/a.csv"), 1);
     EXPECT_FALSE(fs::exists(path("a.rawlog")));
     EXPECT_FALSE(fs::exists(path("a.rawlog.partial")));

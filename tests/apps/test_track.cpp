@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vdamf-track through its command line, on the shipped dataset and on broken input.
+// vdamf-track through its command line, on the shipped dataset.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <mrpt/obs/CActionCollection.h>
@@ -10,20 +10,15 @@
 #include <mrpt/obs/CObservationRobotPose.h>
 #include <mrpt/obs/CObservationVelodyneScan.h>
 #include <mrpt/obs/CSensoryFrame.h>
-#include <signal.h>
 
-#include <chrono>
 #include <cmath>
 #include <map>
 #include <set>
-#include <thread>
 
-#include "apps/command_line.h"
-#include "files/temporary_folder.h"
+#include "apps/track_fixture.h"
 #include "vdamf/evaluation/box_overlap.h"
 #include "vdamf/evaluation/tables.h"
 #include "vdamf/rawlog/annotation.h"
-#include "vdamf/rawlog/rawlog_reader.h"
 #include "vdamf/rawlog/rawlog_writer.h"
 #include "vdamf/rawlog/scan.h"
 
@@ -33,36 +28,6 @@ namespace
 {
 using testing::AllOf;
 using testing::HasSubstr;
-namespace fs = std::filesystem;
-
-const std::string kStreet = VDAMF_SOURCE_DIR "/datasets/street/street.rawlog";
-
-class Track : public TemporaryFolder
-{
-protected:
-    Outcome track(const std::string& arguments) const { return runApp("vdamf-track", arguments); }
-    std::string path(const std::string& name) const { return at(name).string(); }
-    std::string in(const std::string& name) const { return " -i " + path(name); }
-    std::string out(const std::string& name) const { return " -o " + path(name); }
-};
-
-struct Contents
-{
-    std::vector<RawlogEntry> entries;
-
-    explicit Contents(const fs::path& file)
-    {
-        RawlogReader reader(file);
-        while (auto entry = reader.next()) entries.push_back(std::move(*entry));
-        truncated = reader.summary().truncated;
-    }
-    template <class T>
-    std::shared_ptr<T> as(std::size_t i) const
-    {
-        return std::dynamic_pointer_cast<T>(entries[i].object);
-    }
-    bool truncated = false;
-};
 
 // Entries that vdamf-track added.
 bool isAdded(const RawlogEntry& entry)
@@ -240,130 +205,6 @@ TEST_F(Track, ShippedConfigurationIsTheBuiltInOne)
         << "config.ini differs; regenerate it: vdamf-track --print-config > config.ini";
     make("c.ini", shipped);
     EXPECT_TRUE(track("--print-config -c " + path("c.ini")).output == shipped);
-}
-
-TEST_F(Track, RefusesBadConfigurationBeforeAnyOutput)
-{
-    make("typo.ini", "[clustering]\ngap_n = 0.4\n");
-    Outcome run = track("-i " + kStreet + out("a.rawlog") + " -c " + path("typo.ini"));
-    EXPECT_EQ(run.exitCode, 2);
-    EXPECT_THAT(run.output, AllOf(HasSubstr("typo.ini:2"), HasSubstr("gap_n"), HasSubstr("gap_m")));
-    run = track("-i " + kStreet + out("a.rawlog") + " --set clustering.gap_m=0.4x");
-    EXPECT_EQ(run.exitCode, 2);
-    EXPECT_THAT(run.output, AllOf(HasSubstr("clustering.gap_m"), HasSubstr("0.4x")));
-    run = track("-i " + kStreet + out("a.rawlog") + " --set measurement.sigma_m=50");
-    EXPECT_EQ(run.exitCode, 2);
-    EXPECT_THAT(run.output, HasSubstr("sigma_m"));
-    run = track("-i " + kStreet + out("a.rawlog") + " -c " + path("missing.ini"));
-    EXPECT_EQ(run.exitCode, 2);
-    EXPECT_THAT(run.output, HasSubstr("missing.ini"));
-    for (const char* bad : {"--frames 5", "--frames 9:3", "--frames a:b", "--nonsense", "-o"})
-        EXPECT_EQ(track("-i " + kStreet + out("a.rawlog") + " " + bad).exitCode, 2) << bad;
-    EXPECT_EQ(track(out("a.rawlog")).exitCode, 2);
-    EXPECT_EQ(track("-i " + kStreet).exitCode, 2);
-    EXPECT_EQ(filesInFolder(), 1U);
-}
-
-TEST_F(Track, NamesWhatIsWrongWithTheInput)
-{
-    make("text.rawlog", "This is not a rawlog.\n");
-    make("empty.rawlog", "");
-    fs::create_directory(at("folder"));
-    for (const char* bad : {"text.rawlog", "empty.rawlog", "missing.rawlog", "folder"})
-    {
-        const Outcome run = track(in(bad) + out("a.rawlog"));
-        EXPECT_EQ(run.exitCode, 1) << bad;
-        EXPECT_THAT(run.output, HasSubstr(bad));
-        EXPECT_FALSE(fs::exists(at("a.rawlog")));
-        EXPECT_FALSE(fs::exists(at("a.rawlog.partial"))) << bad;
-    }
-}
-
-TEST_F(Track, NamesWhatIsMissingInTheRawlog)
-{
-    RawlogReader reader(kStreet);
-    {
-        RawlogWriter poses(at("poses.rawlog"), {});
-        RawlogWriter scans(at("scans.rawlog"), {});
-        for (int k = 0; k < 60; ++k)
-        {
-            const auto entry = reader.next();
-            const auto o = std::dynamic_pointer_cast<mrpt::obs::CObservation>(entry->object);
-            (isScan(*o) ? scans : poses).writeBytes(entry->bytes);
-        }
-        poses.commit();
-        scans.commit();
-    }
-    Outcome run = track(in("poses.rawlog") + out("a.rawlog"));
-    EXPECT_EQ(run.exitCode, 1);
-    EXPECT_THAT(run.output, AllOf(HasSubstr("poses.rawlog"), HasSubstr("no scans")));
-    run = track(in("scans.rawlog") + out("a.rawlog"));
-    EXPECT_EQ(run.exitCode, 1);
-    EXPECT_THAT(run.output, AllOf(HasSubstr("scans.rawlog"), HasSubstr("INS pose")));
-    run = track("-i " + kStreet + out("a.rawlog") + " --set scan.label=front");
-    EXPECT_EQ(run.exitCode, 1);
-    EXPECT_THAT(run.output, HasSubstr("'front'"));
-    EXPECT_EQ(filesInFolder(), 2U) << "no output of a failed run stays";
-}
-
-TEST_F(Track, KeepsWhatWasDoneBeforeATruncation)
-{
-    std::ifstream file(kStreet, std::ios::binary);
-    const std::string whole{std::istreambuf_iterator<char>(file), {}};
-    make("cut.rawlog", whole.substr(0, whole.size() / 4));
-    const Outcome run = track(in("cut.rawlog") + out("a.rawlog") + " --tracks " + path("t.csv"));
-    EXPECT_EQ(run.exitCode, 1);
-    EXPECT_THAT(run.output, AllOf(HasSubstr("cut.rawlog"), HasSubstr("truncated")));
-    const Contents log(at("a.rawlog"));
-    EXPECT_FALSE(log.truncated);
-    std::set<double> times;
-    for (const TrackRow& row : readTracks(at("t.csv"))) times.insert(row.time);
-    EXPECT_GT(times.size(), 15U);
-}
-
-TEST_F(Track, GuardsItsOutputs)
-{
-    make("there.rawlog", "precious");
-    Outcome run = track("-i " + kStreet + out("there.rawlog"));
-    EXPECT_EQ(run.exitCode, 1);
-    EXPECT_THAT(run.output, AllOf(HasSubstr("there.rawlog"), HasSubstr("--overwrite")));
-    EXPECT_EQ(contentOf("there.rawlog"), "precious");
-    run = track("-i " + kStreet + " --overwrite -o " + kStreet);
-    EXPECT_EQ(run.exitCode, 1);
-    EXPECT_THAT(run.output, HasSubstr("is the input"));
-    run = track("-i " + kStreet + out("no/such/folder.rawlog"));
-    EXPECT_EQ(run.exitCode, 1);
-    EXPECT_THAT(run.output, HasSubstr("no/such/folder.rawlog"));
-    run = track("-i " + kStreet + " -o /dev/full");
-    EXPECT_EQ(run.exitCode, 1);
-    EXPECT_THAT(run.output, HasSubstr("/dev/full"));
-}
-
-TEST_F(Track, InterruptedRunLeavesAReadablePart)
-{
-    const pid_t child = ::fork();
-    if (child == 0)
-    {
-        const std::string app = std::string(VDAMF_APPS_DIR) + "/vdamf-track";
-        const std::string output = path("a.rawlog");
-        ::freopen("/dev/null", "w", stdout);
-        ::freopen("/dev/null", "w", stderr);
-        ::execl(app.c_str(), app.c_str(), "-i", kStreet.c_str(), "-o", output.c_str(), nullptr);
-        ::_exit(127);
-    }
-    for (int k = 0; k < 500 && !fs::exists(at("a.rawlog.partial")); ++k)
-        std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    std::this_thread::sleep_for(std::chrono::milliseconds(100));
-    ::kill(child, SIGINT);
-    int status = 0;
-    ::waitpid(child, &status, 0);
-    ASSERT_TRUE(WIFEXITED(status));
-    EXPECT_EQ(WEXITSTATUS(status), 1);
-    EXPECT_FALSE(fs::exists(at("a.rawlog")));
-    ASSERT_TRUE(fs::exists(at("a.rawlog.partial")));
-    const Contents log(at("a.rawlog.partial"));
-    EXPECT_FALSE(log.truncated);
-    EXPECT_GT(log.entries.size(), 2U);
 }
 
 }  // namespace

@@ -274,45 +274,6 @@ private:
     std::optional<double> time_;
 };
 
-std::vector<std::string> TrackerOptions::problems() const
-{
-    std::vector<std::string> all;
-    const auto add = [&](const char* section, const std::vector<std::string>& problems)
-    {
-        for (const std::string& p : problems) all.push_back("[" + std::string(section) + "] " + p);
-    };
-    add("ground", problemsOf(ground));
-    add("clustering", problemsOf(clustering));
-    add("association", problemsOf(association));
-    add("measurement", problemsOf(measurement));
-    add("visibility", problemsOf(visibility));
-    add("motion", problemsOf(motion));
-    add("lifecycle", problemsOf(lifecycle));
-    return all;
-}
-
-const char* toString(Stage stage)
-{
-    switch (stage)
-    {
-        case Stage::Ground:
-            return "ground removal";
-        case Stage::Clustering:
-            return "clustering";
-        case Stage::Prediction:
-            return "prediction";
-        case Stage::Association:
-            return "association";
-        case Stage::Measurement:
-            return "matched filter";
-        case Stage::Update:
-            return "update";
-        case Stage::NewTracks:
-            return "new tracks";
-    }
-    return "";
-}
-
 Tracker::Tracker(const TrackerOptions& options)
 {
     const std::vector<std::string> problems = options.problems();
