@@ -99,7 +99,8 @@ TEST(Resized, HoldsTheNearestCornerAndThePathOfEveryPoint)
     const Eigen::Vector2d sensor(0.0, 0.0);
     const SizeMemory before = sizeOf(3.0, 1.5);
     const SizeMemory after = sizeOf(4.5, 1.8);
-    const VehicleState grown = resized(s, before, after, sensor);
+    const OrientedBox start{20.0, 5.0, 0.2, 3.0, 1.5};
+    const VehicleState grown = resized(s, before, after, nearestPoint(start, sensor));
     const auto nearCorner = [&](const VehicleState& state, const SizeMemory& size)
     {
         const OrientedBox box{state.mean(kX), state.mean(kY), state.mean(kHeading),

@@ -8,12 +8,6 @@ namespace vdamf
 {
 namespace
 {
-OrientedBox boxOf(const VehicleState& state, const SizeMemory& size)
-{
-    return {state.mean(kX), state.mean(kY), state.mean(kHeading), size.length.mean,
-            size.width.mean};
-}
-
 SizeEstimate updatedEstimate(const SizeEstimate& memory, double measured, double fitVariance,
                              const VisibilityOptions& options)
 {
@@ -68,13 +62,21 @@ Eigen::Vector2d nearestPoint(const OrientedBox& box, const Eigen::Vector2d& sens
             std::clamp(view.y() / (0.5 * box.width), -1.0, 1.0)};
 }
 
-VehicleState resized(const VehicleState& state, const SizeMemory& before, const SizeMemory& after,
-                     const Eigen::Vector2d& sensor)
+Eigen::Vector2d fixedPoint(const Measurement& m, const Eigen::Vector2d& sensor)
 {
-    const Eigen::Vector2d nearest = nearestPoint(boxOf(state, before), sensor);
+    Eigen::Vector2d point = nearestPoint(m.box, sensor);
+    const auto hides = [&](Face face) { return m.hiddenEnds.has(face); };
+    if (hides(Face::Front) != hides(Face::Back)) point.x() = hides(Face::Front) ? -1.0 : 1.0;
+    if (hides(Face::Left) != hides(Face::Right)) point.y() = hides(Face::Left) ? -1.0 : 1.0;
+    return point;
+}
+
+VehicleState resized(const VehicleState& state, const SizeMemory& before, const SizeMemory& after,
+                     const Eigen::Vector2d& fixedPoint)
+{
     const Eigen::Vector2d move =
-        -0.5 * nearest.cwiseProduct(Eigen::Vector2d(after.length.mean - before.length.mean,
-                                                    after.width.mean - before.width.mean));
+        -0.5 * fixedPoint.cwiseProduct(Eigen::Vector2d(after.length.mean - before.length.mean,
+                                                       after.width.mean - before.width.mean));
     VehicleState next = state;
     next.mean.head<2>() += rotation(state.mean(kHeading)) * move;
     // Every point of the axle line moves along the heading, so the axis point may follow the
@@ -89,17 +91,17 @@ VehicleState resized(const VehicleState& state, const SizeMemory& before, const 
 PoseMeasurement anchoredPose(const Measurement& m, const SizeMemory& size,
                              const Eigen::Vector2d& sensor, const VisibilityOptions& o)
 {
-    const Eigen::Vector2d nearest = nearestPoint(m.box, sensor);
+    const Eigen::Vector2d fixed = fixedPoint(m, sensor);
     const Eigen::Vector2d offset =
-        0.5 * nearest.cwiseProduct(
+        0.5 * fixed.cwiseProduct(
                   Eigen::Vector2d(m.box.length - size.length.mean, m.box.width - size.width.mean));
     const Eigen::Matrix2d r = rotation(m.box.heading);
     // d pose / d (x, y, heading, length, width)
     Eigen::Matrix<double, 3, 5> j = Eigen::Matrix<double, 3, 5>::Zero();
     j.topLeftCorner<2, 2>().setIdentity();
     j.block<2, 1>(0, 2) = r * Eigen::Vector2d(-offset.y(), offset.x());
-    j.block<2, 1>(0, 3) = r * Eigen::Vector2d(0.5 * nearest.x(), 0.0);
-    j.block<2, 1>(0, 4) = r * Eigen::Vector2d(0.0, 0.5 * nearest.y());
+    j.block<2, 1>(0, 3) = r * Eigen::Vector2d(0.5 * fixed.x(), 0.0);
+    j.block<2, 1>(0, 4) = r * Eigen::Vector2d(0.0, 0.5 * fixed.y());
     j(2, 2) = 1.0;
 
     PoseMeasurement pose;
@@ -111,6 +113,13 @@ PoseMeasurement anchoredPose(const Measurement& m, const SizeMemory& size,
     pose.covariance(0, 0) += position * position;
     pose.covariance(1, 1) += position * position;
     pose.covariance(2, 2) += heading * heading;
+    // A row of hits with both ends hidden slides along itself as what hides it moves.
+    constexpr double kUnknown = 30.0;  // m
+    const auto bothHidden = [&](Face a, Face b)
+    { return m.hiddenEnds.has(a) && m.hiddenEnds.has(b) ? kUnknown * kUnknown : 0.0; };
+    const Eigen::Vector2d unknown(bothHidden(Face::Front, Face::Back),
+                                  bothHidden(Face::Left, Face::Right));
+    pose.covariance.topLeftCorner<2, 2>() += r * unknown.asDiagonal() * r.transpose();
     return pose;
 }
 
@@ -121,9 +130,13 @@ Measurement turnedBy(const Measurement& measurement, int quarters)
     constexpr Face kAround[4] = {Face::Front, Face::Left, Face::Back, Face::Right};
     const int turns = ((quarters % 4) + 4) % 4;
     m.box.heading = wrapAngle(m.box.heading + 0.5 * kPi * turns);
-    m.facesSeen = FaceSet();
+    m.facesSeen = m.hiddenEnds = FaceSet();
     for (int k = 0; k < 4; ++k)
-        if (measurement.facesSeen.has(kAround[(k + turns) % 4])) m.facesSeen.add(kAround[k]);
+    {
+        const Face before = kAround[(k + turns) % 4];
+        if (measurement.facesSeen.has(before)) m.facesSeen.add(kAround[k]);
+        if (measurement.hiddenEnds.has(before)) m.hiddenEnds.add(kAround[k]);
+    }
     if (turns % 2 == 1)
     {
         std::swap(m.box.length, m.box.width);

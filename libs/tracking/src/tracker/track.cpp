@@ -58,7 +58,7 @@ Track sightedTrack(const Track& before, const Sighting& sighting, VehicleKalmanF
     Track track = before;
     const Measurement m = alignedWith(sighting.measurement, track.state.mean(kHeading));
     track.size = updatedSize(before.size, m, options.visibility);
-    track.state = resized(track.state, before.size, track.size, sighting.sensor);
+    track.state = resized(track.state, before.size, track.size, fixedPoint(m, sighting.sensor));
     const PoseMeasurement pose = anchoredPose(m, track.size, sighting.sensor, options.visibility);
     track.nis = nisOf(track.state, pose);
     const UpdatedState updated =

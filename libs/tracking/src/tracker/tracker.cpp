@@ -6,6 +6,8 @@
 #include <stdexcept>
 
 #include "tracker/track.h"
+#include "vdamf/tracking/estimation/occlusion.h"
+#include "vdamf/tracking/preprocessing/range_profile.h"
 
 namespace vdamf
 {
@@ -59,6 +61,7 @@ public:
             throw std::invalid_argument("frames must come in order of time");
         enter(Stage::Ground);
         const AboveGround above = removeGround(frame, options_.ground);
+        profile_ = rangeProfile(frame, above);
         enter(Stage::Clustering);
         const std::vector<Cluster> clusters = clusterPoints(frame, above, options_.clustering);
         std::vector<Hits> hits;
@@ -166,8 +169,9 @@ private:
         Sighting s;
         s.time = frame.time;
         s.sensor = frame.sensor.head<2>();
-        s.measurement = inWorld(measureTarget(hits, sensor, start, options_.measurement, knownSize),
-                                frame.origin);
+        Measurement m = measureTarget(hits, sensor, start, options_.measurement, knownSize);
+        m.hiddenEnds = hiddenEnds(m.box, m.facesSeen, sensor, profile_);
+        s.measurement = inWorld(m, frame.origin);
         addHeights(s, parts, frame.origin.z());
         return s;
     }
@@ -270,6 +274,7 @@ private:
     TrackerOptions options_;
     VehicleKalmanFilter filter_;
     std::vector<Track> tracks_;  // by rising id
+    RangeProfile profile_;       // of the current frame
     std::uint64_t nextId_ = 1;
     std::optional<double> time_;
 };

@@ -62,14 +62,15 @@ struct SizeMemory
 };
 
 /// Whether a measurement locates both ends of the vehicle's length or width: the ends of a face
-/// seen are where its hits end, so a side tells the length and an end the width.
+/// seen are where its hits end, so a side tells the length and an end the width, unless something
+/// hides an end.
 inline bool locatesLength(const Measurement& m)
 {
-    return m.facesSeen.seesSide();
+    return m.facesSeen.seesSide() && !m.hiddenEnds.seesEnd();
 }
 inline bool locatesWidth(const Measurement& m)
 {
-    return m.facesSeen.seesEnd();
+    return m.facesSeen.seesEnd() && !m.hiddenEnds.seesSide();
 }
 
 /// Memory of a new track: what is measured, after a car's size where that fits (assumeVehicleSize).
@@ -81,19 +82,23 @@ SizeMemory updatedSize(const SizeMemory& memory, const Measurement& measurement,
                        const VisibilityOptions& options);
 
 /// Where on the box the point nearest to the sensor lies: +-1 at the faces, 0 in the middle, along
-/// the length (x) and the width (y). A corner of the box but for a sensor abreast of it. `view`:
-/// the sensor in the frame of the box.
+/// the length (x) and the width (y). A corner of the box but for a sensor abreast of it.
 Eigen::Vector2d nearestPoint(const OrientedBox& box, const Eigen::Vector2d& sensor);
 
-/// The state after its box grew from `before` to `after` with the point nearest to the sensor
-/// held. The tracked centre moves inside the body, so the axis offset, and for a move to the side
-/// speed and curvature, move along. Sensor and state share their origin.
-VehicleState resized(const VehicleState& state, const SizeMemory& before, const SizeMemory& after,
-                     const Eigen::Vector2d& sensor);
+/// The point of the box that a measurement holds best, in the same form: the one nearest to the
+/// sensor, or at the other end where that end is hidden.
+Eigen::Vector2d fixedPoint(const Measurement& measurement, const Eigen::Vector2d& sensor);
 
-/// Pose of the centre of a box of the remembered size that shares with the measured box the point
-/// nearest to the sensor. Covariance through the faces (Eq. 15): what hidden faces would add
-/// does not enter. Measurement and sensor share their origin.
+/// The state after its box grew from `before` to `after` with a point of the box held (as of
+/// fixedPoint). The tracked centre moves inside the body, so the axis offset, and for a move to
+/// the side speed and curvature, move along.
+VehicleState resized(const VehicleState& state, const SizeMemory& before, const SizeMemory& after,
+                     const Eigen::Vector2d& fixedPoint);
+
+/// Pose of the centre of a box of the remembered size that shares the fixed point with the
+/// measured box. Covariance through the faces (Eq. 15): what hidden faces would add does not
+/// enter; along an axis with both ends hidden the position is unknown. Measurement and sensor
+/// share their origin.
 PoseMeasurement anchoredPose(const Measurement& measurement, const SizeMemory& size,
                              const Eigen::Vector2d& sensor, const VisibilityOptions& options);
 

@@ -19,7 +19,8 @@ struct Measurement
     int hits = 0;
     int iterations = 0;  ///< of the fit, all steps together
     bool converged = false;
-    FaceSet facesSeen;  ///< faces towards the sensor with enough hits on them
+    FaceSet facesSeen;   ///< faces towards the sensor with enough hits on them
+    FaceSet hiddenEnds;  ///< faces whose place the frame does not show
 };
 
 }  // namespace vdamf

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vdamf/tracking/estimation/occlusion.h"
+
+#include <cmath>
+
+namespace vdamf
+{
+namespace
+{
+constexpr double kBeyond = 0.6;      // m past an end, where the ray goes that would see more
+constexpr double kNearer = 0.7;      // m by which a blocking hit lies before the target
+constexpr double kBeamStep = 0.004;  // rad between hits, about, of spinning LADARs
+constexpr double kWidestStep = 0.7;  // m between hits of a row whose end can be told
+
+constexpr double kLongRow = 6.0;  // m; the sizes of cars are held by their memory
+
+constexpr Face kEnd[2][2] = {{Face::Back, Face::Front}, {Face::Right, Face::Left}};
+}  // namespace
+
+FaceSet hiddenEnds(const OrientedBox& box, FaceSet seen, const Eigen::Vector2d& sensor,
+                   const RangeProfile& profile)
+{
+    const Eigen::Vector2d view = toBoxFrame(box, sensor);
+    const Eigen::Vector2d half(0.5 * box.length, 0.5 * box.width);
+    const Eigen::Matrix2d r = rotation(box.heading);
+    const bool runs[2] = {seen.seesSide(), seen.seesEnd()};  // a seen face runs along the axis
+    FaceSet hidden;
+    for (int axis = 0; axis < 2; ++axis)
+    {
+        if (!runs[axis] || half(axis) < 0.5 * kLongRow) continue;
+        for (int side = 0; side < 2; ++side)
+        {
+            if (seen.has(kEnd[axis][side])) continue;
+            Eigen::Vector2d past;  // in the box frame
+            past(axis) = (side == 0 ? -1.0 : 1.0) * (half(axis) + kBeyond);
+            past(1 - axis) = std::copysign(half(1 - axis), view(1 - axis));
+            const Eigen::Vector2d ray = past - view;
+            const Eigen::Vector2d inWorld = r * ray;
+            const double range = ray.norm();
+            const double grazing = std::abs(ray(1 - axis)) / range;  // sine
+            const bool blocked = profile.at(std::atan2(inWorld.y(), inWorld.x())) < range - kNearer;
+            if (blocked || kBeamStep * range > kWidestStep * grazing) hidden.add(kEnd[axis][side]);
+        }
+    }
+    return hidden;
+}
+
+}  // namespace vdamf

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vdamf/tracking/estimation/occlusion.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "vdamf/tracking/estimation/visibility.h"
+#include "vdamf/tracking/preprocessing/range_profile.h"
+
+namespace vdamf
+{
+namespace
+{
+// A profile with one blocking sector range.
+RangeProfile blockedBetween(double fromBearing, double toBearing, float range)
+{
+    RangeProfile profile;
+    profile.nearest.assign(720, std::numeric_limits<float>::infinity());
+    for (std::size_t k = 0; k < profile.nearest.size(); ++k)
+    {
+        const double bearing = -kPi + 2.0 * kPi * (static_cast<double>(k) + 0.5) / 720.0;
+        if (bearing > fromBearing && bearing < toBearing) profile.nearest[k] = range;
+    }
+    return profile;
+}
+
+FaceSet leftSide()
+{
+    FaceSet seen;
+    seen.add(Face::Left);
+    return seen;
+}
+
+// A 12 m wall along +x, seen from its left (the sensor at +y): front at x = 6, back at x = -6.
+const OrientedBox kWall{0.0, 0.0, 0.0, 12.0, 0.7};
+const Eigen::Vector2d kSensor(0.0, 8.0);
+
+TEST(RangeProfile, KeepsTheNearestHighHit)
+{
+    LadarFrame frame;
+    frame.sensor = {100.0, 50.0, 2.0};
+    frame.origin = {98.0, 50.0, 0.0};
+    frame.points.x = {12.0F, 7.0F, 5.0F};
+    frame.points.y = {0.01F, 0.01F, 0.01F};
+    frame.points.z = {1.0F, 1.0F, 0.3F};
+    const AboveGround above{{0, 1, 2}, {1.0F, 1.0F, 0.3F}};
+    const RangeProfile profile = rangeProfile(frame, above);
+    EXPECT_NEAR(profile.at(0.001), 5.0, 1e-4);  // the low hit hides nothing
+    EXPECT_NEAR(profile.at(2.0 * kPi + 0.001), 5.0, 1e-4);
+    EXPECT_TRUE(std::isinf(profile.at(1.0)));
+    EXPECT_TRUE(std::isinf(RangeProfile{}.at(0.0)));
+}
+
+TEST(HiddenEnds, FreeEndsAreSeen)
+{
+    EXPECT_TRUE(hiddenEnds(kWall, leftSide(), kSensor, blockedBetween(0, 0, 0)).empty());
+}
+
+TEST(HiddenEnds, ANearerObjectBesideAnEndHidesIt)
+{
+    // The ray past the front goes to (6.6, 0.35): bearing about -49 deg.
+    const double bearing = std::atan2(0.35 - 8.0, 6.6);
+    const RangeProfile near = blockedBetween(bearing - 0.05, bearing + 0.05, 5.0F);
+    EXPECT_EQ(toString(hiddenEnds(kWall, leftSide(), kSensor, near)), "F");
+    const RangeProfile behind = blockedBetween(bearing - 0.05, bearing + 0.05, 20.0F);
+    EXPECT_TRUE(hiddenEnds(kWall, leftSide(), kSensor, behind).empty());
+    // A face with hits of its own is never hidden; a car's size is held by its memory.
+    FaceSet both = leftSide();
+    both.add(Face::Front);
+    EXPECT_TRUE(hiddenEnds(kWall, both, kSensor, near).empty());
+    OrientedBox car = kWall;
+    car.length = 4.5;
+    EXPECT_TRUE(hiddenEnds(car, leftSide(), kSensor, blockedBetween(-kPi, kPi, 1.0F)).empty());
+}
+
+TEST(HiddenEnds, GrazingRaysDoNotTellAnEnd)
+{
+    const Eigen::Vector2d along(-8.0, 1.0);  // almost in line with the wall
+    EXPECT_TRUE(hiddenEnds(kWall, leftSide(), along, RangeProfile{}).has(Face::Front));
+}
+
+TEST(FixedPoint, IsAtTheEndThatIsSeen)
+{
+    Measurement m;
+    m.box = {10.0, 0.0, 0.0, 12.0, 2.0};
+    EXPECT_EQ(fixedPoint(m, {0.0, 5.0}), Eigen::Vector2d(-1.0, 1.0));
+    m.hiddenEnds.add(Face::Back);
+    EXPECT_EQ(fixedPoint(m, {0.0, 5.0}), Eigen::Vector2d(1.0, 1.0));
+    EXPECT_EQ(toString(turnedBy(m, 2).hiddenEnds), "F");
+    // Both hidden: the row may slide along itself, its distance is as good as before.
+    m.facesSeen = leftSide();
+    m.hiddenEnds.add(Face::Front);
+    const SizeMemory size{{12.0, 0.01}, {2.0, 0.01}};
+    const PoseMeasurement pose = anchoredPose(m, size, {0.0, 5.0}, VisibilityOptions());
+    EXPECT_GT(pose.covariance(0, 0), 100.0);
+    EXPECT_LT(pose.covariance(1, 1), 0.1);
+}
+
+}  // namespace
+}  // namespace vdamf
