@@ -186,15 +186,15 @@ TEST(MatchKernel, NoHitsNoResponse)
 
 TEST(EdgeLanes, EqualTheErrorFunction)
 {
-    for (double s = -12.0; s <= 12.0; s += 1e-3)
+    for (int k = -12000; k <= 12000; ++k)
     {
-        const auto x = static_cast<float>(s);
+        const float x = 1e-3F * static_cast<float>(k);
         const auto edge = edgeLanes<4>(Lanes<4>::Real{x, -x, 0.0F, 1e9F});
         const double u = x * kHalvingLength;
         const double density = kHalvingLength * std::exp(-0.5 * u * u) / std::sqrt(2.0 * kPi);
-        ASSERT_NEAR(edge.step[0], 0.5 * std::erf(u / std::sqrt(2.0)), 2e-7) << s;
-        ASSERT_NEAR(edge.density[0], density, 2e-7) << s;
-        ASSERT_NEAR(edge.curve[0], -u * kHalvingLength * density, 3e-7) << s;
+        ASSERT_NEAR(edge.step[0], 0.5 * std::erf(u / std::sqrt(2.0)), 2e-7) << x;
+        ASSERT_NEAR(edge.density[0], density, 2e-7) << x;
+        ASSERT_NEAR(edge.curve[0], -u * kHalvingLength * density, 3e-7) << x;
         ASSERT_EQ(edge.step[1], -edge.step[0]);
         ASSERT_EQ(edge.density[1], edge.density[0]);
         ASSERT_EQ(edge.curve[1], -edge.curve[0]);

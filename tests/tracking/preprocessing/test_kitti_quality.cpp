@@ -166,6 +166,11 @@ struct Variant
     double bodyKept, bodyInBiggest, roadRemoved, underSegmented, lost;
 };
 
+std::ostream& operator<<(std::ostream& out, const Variant& variant)
+{
+    return out << variant.name;
+}
+
 Result process(PointCloud points)
 {
     LadarFrame frame;

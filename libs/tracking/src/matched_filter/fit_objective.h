@@ -19,7 +19,7 @@ struct FitCost
     Matrix5d hessian;
 };
 
-/// How the hits are summed: by the kernel, or by matchResponse() to the last digit at some thirty
+/// How the hits are summed: by the kernel, or by matchResponse() to the last digit at some twenty
 /// times the cost.
 enum class Precision
 {

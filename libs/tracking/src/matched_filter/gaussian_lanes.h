@@ -15,8 +15,8 @@ struct Lanes
     typedef std::uint32_t Bits __attribute__((vector_size(kWidth * sizeof(float))));
 };
 
-/// Half a Gaussian's width in which its density falls to one half at 1: lengths divided by
-/// sigma * kHalvingLength make the density 2^(-s^2). sqrt(2 ln 2).
+/// Where a Gaussian has fallen to one half, in units of its sigma: sqrt(2 ln 2). Measured in
+/// sigma * kHalvingLength it is 2^(-s^2).
 inline constexpr double kHalvingLength = 1.17741002251547469;
 
 /// A step at an edge, smoothed by a Gaussian, with its derivatives by the distance s.
