@@ -6,9 +6,9 @@
 #include <deque>
 #include <optional>
 
+#include "tracker/sighting.h"
 #include "vdamf/tracking/estimation/visibility.h"
 #include "vdamf/tracking/tracker/tracker.h"
-#include "vdamf/tracking/types/measurement.h"
 
 namespace vdamf
 {
@@ -17,16 +17,6 @@ struct PathPoint
 {
     double time = 0.0;
     Eigen::Vector2d position = Eigen::Vector2d::Zero();  ///< world, m
-};
-
-/// Hits of one target in one frame, and what they measured. World frame.
-struct Sighting
-{
-    double time = 0.0;                                 ///< s
-    Eigen::Vector2d sensor = Eigen::Vector2d::Zero();  ///< m
-    Measurement measurement;
-    double groundZ = 0.0;  ///< local ground, m
-    double height = 0.0;   ///< of the highest hit above it, m
 };
 
 struct Track

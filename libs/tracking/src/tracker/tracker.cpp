@@ -6,42 +6,12 @@
 #include <stdexcept>
 
 #include "tracker/track.h"
-#include "vdamf/tracking/estimation/occlusion.h"
 #include "vdamf/tracking/preprocessing/range_profile.h"
 
 namespace vdamf
 {
 namespace
 {
-// Height of the highest hit above the local ground, m.
-double heightOf(const Cluster& cluster)
-{
-    if (cluster.height.empty()) return 0.0;
-    return *std::max_element(cluster.height.begin(), cluster.height.end());
-}
-
-// Local ground below clusters and the height of their highest hit above it.
-void addHeights(Sighting& sighting, const std::vector<const Cluster*>& clusters, double originZ)
-{
-    double ground = 0.0;
-    double count = 0.0;
-    for (const Cluster* cluster : clusters)
-    {
-        for (std::size_t i = 0; i < cluster->size(); ++i)
-            ground += cluster->z[i] - cluster->height[i];
-        sighting.height = std::max(sighting.height, heightOf(*cluster));
-        count += static_cast<double>(cluster->size());
-    }
-    sighting.groundZ = originZ + (count > 0.0 ? ground / count : 0.0);
-}
-
-Measurement inWorld(Measurement m, const Eigen::Vector3d& origin)
-{
-    m.box.x += origin.x();
-    m.box.y += origin.y();
-    return m;
-}
-
 OrientedBox relativeTo(OrientedBox box, const Eigen::Vector3d& origin)
 {
     box.x -= origin.x();
@@ -59,27 +29,20 @@ public:
     {
         if (time_ && frame.time <= *time_)
             throw std::invalid_argument("frames must come in order of time");
-        enter(Stage::Ground);
-        const AboveGround above = removeGround(frame, options_.ground);
-        profile_ = rangeProfile(frame, above);
-        enter(Stage::Clustering);
-        const std::vector<Cluster> clusters = clusterPoints(frame, above, options_.clustering);
-        std::vector<Hits> hits;
-        hits.reserve(clusters.size());
-        for (const Cluster& c : clusters)
-            hits.push_back(projectHits(c, options_.measurement.mergeCell));
+        const SegmentedFrame segmented = segment(frame);
         enter(Stage::Prediction);
         predictTracks(frame.time);
         enter(Stage::Association);
-        const auto assignment = assignClusters(targets(frame.origin), hits, options_.association);
+        const auto assignment =
+            assignClusters(targets(frame.origin), segmented.hits, options_.association);
         enter(Stage::Measurement);
-        const auto sightings = measureTracks(frame, clusters, hits, assignment);
+        const auto sightings = measureTracks(segmented, assignment);
         enter(Stage::Update);
         updateTracks(frame.time, sightings);
         enter(Stage::NewTracks);
-        startTracks(frame, clusters, hits, assignment);
+        startTracks(segmented, assignment);
         removeDuplicates();
-        FrameResult result = reportFrame(frame, above, clusters);
+        const FrameResult result = reportFrame(frame, segmented);
         removeEnded();
         if (observer_) observer_(nullptr);
         return result;
@@ -91,6 +54,24 @@ private:
     void enter(Stage stage) const
     {
         if (observer_) observer_(&stage);
+    }
+
+    SegmentedFrame segment(const LadarFrame& frame) const
+    {
+        SegmentedFrame s;
+        s.time = frame.time;
+        s.origin = frame.origin;
+        s.sensor = frame.sensor;
+        enter(Stage::Ground);
+        const AboveGround above = removeGround(frame, options_.ground);
+        s.pointsAboveGround = above.index.size();
+        enter(Stage::Clustering);
+        s.profile = rangeProfile(frame, above);
+        s.clusters = clusterPoints(frame, above, options_.clustering);
+        s.hits.reserve(s.clusters.size());
+        for (const Cluster& c : s.clusters)
+            s.hits.push_back(projectHits(c, options_.measurement.mergeCell));
+        return s;
     }
 
     void predictTracks(double time)
@@ -119,61 +100,38 @@ private:
     }
 
     std::vector<std::optional<Sighting>> measureTracks(
-        const LadarFrame& frame, const std::vector<Cluster>& clusters,
-        const std::vector<Hits>& hits,
-        const std::vector<std::vector<std::size_t>>& assignment) const
+        const SegmentedFrame& frame, const std::vector<std::vector<std::size_t>>& assignment) const
     {
         std::vector<std::optional<Sighting>> sightings(tracks_.size());
         for (std::size_t j = 0; j < tracks_.size(); ++j)
-        {
-            if (assignment[j].empty()) continue;
-            Hits all = hits[assignment[j].front()];
-            std::vector<const Cluster*> parts{&clusters[assignment[j].front()]};
-            for (std::size_t k = 1; k < assignment[j].size(); ++k)
-            {
-                all = joined(all, hits[assignment[j][k]]);
-                parts.push_back(&clusters[assignment[j][k]]);
-            }
-            sightings[j] = sightingOf(tracks_[j], frame, all, parts);
-        }
+            if (!assignment[j].empty()) sightings[j] = measure(tracks_[j], frame, assignment[j]);
         return sightings;
     }
 
     // From the predicted pose; where that is vague, or explains the hits much worse than before,
     // also from where the hits are. The better response wins.
-    Sighting sightingOf(const Track& track, const LadarFrame& frame, const Hits& hits,
-                        const std::vector<const Cluster*>& parts) const
+    Sighting measure(const Track& track, const SegmentedFrame& frame,
+                     const std::vector<std::size_t>& clusters) const
     {
         constexpr double kVague = 0.3;      // m
         constexpr double kPoorMatch = 0.6;  // of the last one
+        const Hits hits = hitsOf(frame, clusters);
         const OrientedBox start = relativeTo(track.box(), frame.origin);
-        const Eigen::Vector2d size(start.length, start.width);
-        Sighting best = sighting(frame, hits, parts, start, size);
+        const auto from = [&](const OrientedBox& box)
+        {
+            return sightingOf(frame, clusters, hits, box,
+                              Eigen::Vector2d(start.length, start.width), options_.measurement);
+        };
+        const Sighting best = from(start);
         if (positionSigma(track) < kVague && best.measurement.match > kPoorMatch * track.lastMatch)
             return best;
-        const Eigen::Vector2d sensor = (frame.sensor - frame.origin).head<2>();
-        Sighting other = sighting(frame, hits, parts, movedOntoHits(start, hits, sensor), size);
+        const Sighting other = from(movedOntoHits(start, hits, frame.sensorInFrame()));
         return other.measurement.match > best.measurement.match ? other : best;
     }
 
     static double positionSigma(const Track& track)
     {
         return std::sqrt(0.5 * track.state.covariance.topLeftCorner<2, 2>().trace());
-    }
-
-    Sighting sighting(const LadarFrame& frame, const Hits& hits,
-                      const std::vector<const Cluster*>& parts, const OrientedBox& start,
-                      const std::optional<Eigen::Vector2d>& knownSize) const
-    {
-        const Eigen::Vector2d sensor = (frame.sensor - frame.origin).head<2>();
-        Sighting s;
-        s.time = frame.time;
-        s.sensor = frame.sensor.head<2>();
-        Measurement m = measureTarget(hits, sensor, start, options_.measurement, knownSize);
-        m.hiddenEnds = hiddenEnds(m.box, m.facesSeen, sensor, profile_);
-        s.measurement = inWorld(m, frame.origin);
-        addHeights(s, parts, frame.origin.z());
-        return s;
     }
 
     void updateTracks(double time, const std::vector<std::optional<Sighting>>& sightings)
@@ -199,21 +157,22 @@ private:
         if (lost) track.status = TrackStatus::Ended;
     }
 
-    void startTracks(const LadarFrame& frame, const std::vector<Cluster>& clusters,
-                     const std::vector<Hits>& hits,
+    void startTracks(const SegmentedFrame& frame,
                      const std::vector<std::vector<std::size_t>>& assignment)
     {
-        std::vector<bool> claimed(clusters.size(), false);
+        std::vector<bool> claimed(frame.clusters.size(), false);
         for (const auto& taken : assignment)
             for (const std::size_t i : taken) claimed[i] = true;
-        const Eigen::Vector2d sensor = (frame.sensor - frame.origin).head<2>();
-        for (std::size_t i = 0; i < clusters.size(); ++i)
+        for (std::size_t i = 0; i < frame.clusters.size(); ++i)
         {
-            if (claimed[i] || !mayStart(clusters[i], hits[i])) continue;
-            const OrientedBox start = startBox(hits[i], sensor, widestEnd(heightOf(clusters[i])),
-                                               options_.measurement.fit);
+            const Hits& hits = frame.hits[i];
+            if (claimed[i] || !mayStart(frame.clusters[i], hits)) continue;
+            const OrientedBox start =
+                startBox(hits, frame.sensorInFrame(), widestEnd(heightOf(frame.clusters[i])),
+                         options_.measurement.fit);
             if (std::hypot(start.length, start.width) > options_.lifecycle.maxExtent) continue;
-            const Sighting s = sighting(frame, hits[i], {&clusters[i]}, start, std::nullopt);
+            const Sighting s =
+                sightingOf(frame, {i}, hits, start, std::nullopt, options_.measurement);
             tracks_.push_back(startedTrack(nextId_++, s, options_));
         }
     }
@@ -252,14 +211,13 @@ private:
         return inside(inA, a.size) || inside(inB, b.size);
     }
 
-    FrameResult reportFrame(const LadarFrame& frame, const AboveGround& above,
-                            const std::vector<Cluster>& clusters) const
+    FrameResult reportFrame(const LadarFrame& frame, const SegmentedFrame& segmented) const
     {
         FrameResult result;
         result.time = frame.time;
         result.points = frame.points.size();
-        result.pointsAboveGround = above.index.size();
-        result.clusters = clusters.size();
+        result.pointsAboveGround = segmented.pointsAboveGround;
+        result.clusters = segmented.clusters.size();
         for (const Track& track : tracks_) result.tracks.push_back(reportOf(track));
         return result;
     }
@@ -273,8 +231,7 @@ private:
 
     TrackerOptions options_;
     VehicleKalmanFilter filter_;
-    std::vector<Track> tracks_;  // by rising id
-    RangeProfile profile_;       // of the current frame
+    std::vector<Track> tracks_;          // by rising id
     std::uint64_t nextId_ = 1;
     std::optional<double> time_;
 };

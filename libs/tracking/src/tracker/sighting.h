@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// From the clusters of a frame to what they say of one target.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "vdamf/tracking/matched_filter/measure.h"
+#include "vdamf/tracking/types/cluster.h"
+#include "vdamf/tracking/types/measurement.h"
+#include "vdamf/tracking/types/point_cloud.h"
+#include "vdamf/tracking/types/range_profile.h"
+
+namespace vdamf
+{
+/// A frame behind the segmentation. Clusters, hits and boxes are relative to the frame's origin.
+struct SegmentedFrame
+{
+    double time = 0.0;                                 ///< s
+    Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< world, m
+    Eigen::Vector3d sensor = Eigen::Vector3d::Zero();  ///< world, m
+    std::size_t pointsAboveGround = 0;
+    RangeProfile profile;
+    std::vector<Cluster> clusters;
+    std::vector<Hits> hits;  ///< of each cluster
+
+    Eigen::Vector2d sensorInFrame() const { return (sensor - origin).head<2>(); }
+};
+
+/// Hits of one target in one frame, and what they measured. World frame.
+struct Sighting
+{
+    double time = 0.0;                                 ///< s
+    Eigen::Vector2d sensor = Eigen::Vector2d::Zero();  ///< m
+    Measurement measurement;
+    double groundZ = 0.0;  ///< local ground, m
+    double height = 0.0;   ///< of the highest hit above it, m
+};
+
+/// Height of the highest hit above the local ground, m.
+double heightOf(const Cluster& cluster);
+
+/// The hits of some of the frame's clusters together.
+Hits hitsOf(const SegmentedFrame& frame, const std::vector<std::size_t>& clusters);
+
+/// Measures the hits of some clusters from a start, relative to the frame's origin.
+Sighting sightingOf(const SegmentedFrame& frame, const std::vector<std::size_t>& clusters,
+                    const Hits& hits, const OrientedBox& start,
+                    const std::optional<Eigen::Vector2d>& knownLengthWidth,
+                    const MeasureOptions& options);
+
+}  // namespace vdamf
