@@ -14,6 +14,10 @@
 
 namespace
 {
+constexpr int kDone = 0;
+constexpr int kFailed = 1;
+constexpr int kBadUse = 2;
+
 std::atomic<bool> interrupted{false};
 
 void onSignal(int)
@@ -191,55 +195,58 @@ int run(const Cli& cli, const vdamf::TrackRawlogJob& job)
         std::fprintf(stderr, "interrupted: %llu frames done%s\n",
                      static_cast<unsigned long long>(summary.frames),
                      cli.output.empty() ? "" : (" are in " + cli.output + ".partial").c_str());
-        return 1;
+        return kFailed;
     }
     if (summary.read.truncated)
     {
         std::fprintf(stderr, "%s: truncated: %s; the %llu frames before are done\n",
                      cli.input.c_str(), summary.read.truncation.c_str(),
                      static_cast<unsigned long long>(summary.frames));
-        return 1;
+        return kFailed;
     }
-    return 0;
+    return kDone;
+}
+
+int mainOf(int argc, char** argv)
+{
+    CLI::App app("Tracks vehicles in an MRPT rawlog with LADAR scans and INS poses.");
+    Cli cli;
+    declare(app, cli);
+    vdamf::TrackRawlogJob job;
+    try
+    {
+        app.parse(argc, argv);
+        const vdamf::Configuration configuration = configurationOf(cli);
+        if (cli.printConfig)
+        {
+            std::cout << vdamf::toIni(configuration);
+            return kDone;
+        }
+        job = jobOf(cli);
+        job.configuration = configuration;
+    }
+    catch (const CLI::ParseError& error)
+    {
+        return app.exit(error) == 0 ? kDone : kBadUse;
+    }
+    catch (const std::exception& error)
+    {
+        std::fprintf(stderr, "vdamf-track: %s\n", error.what());
+        return kBadUse;
+    }
+    return run(cli, job);
 }
 }  // namespace
 
 int main(int argc, char** argv)
 {
-    CLI::App app("Tracks vehicles in an MRPT rawlog with LADAR scans and INS poses.");
-    Cli cli;
-    declare(app, cli);
     try
     {
-        app.parse(argc, argv);
-    }
-    catch (const CLI::ParseError& error)
-    {
-        return app.exit(error) == 0 ? 0 : 2;
-    }
-    try
-    {
-        const vdamf::Configuration configuration = configurationOf(cli);
-        if (cli.printConfig)
-        {
-            std::cout << vdamf::toIni(configuration);
-            return 0;
-        }
-        vdamf::TrackRawlogJob job = jobOf(cli);
-        job.configuration = configuration;
-        try
-        {
-            return run(cli, job);
-        }
-        catch (const std::exception& error)
-        {
-            std::fprintf(stderr, "vdamf-track: %s\n", error.what());
-            return 1;
-        }
+        return mainOf(argc, argv);
     }
     catch (const std::exception& error)
     {
         std::fprintf(stderr, "vdamf-track: %s\n", error.what());
-        return 2;
+        return kFailed;
     }
 }

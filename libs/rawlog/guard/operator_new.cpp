@@ -31,7 +31,8 @@ void* allocate(std::size_t size, std::size_t alignment)
 }
 }  // namespace
 
-// The array and nothrow forms of the standard library call these.
+// The array forms of the standard library call these. So do its nothrow forms, but not those of the
+// sanitizers, which would then meet our delete: they are replaced as well.
 void* operator new(std::size_t size)
 {
     return allocate(size, 0);
@@ -40,7 +41,22 @@ void* operator new(std::size_t size, std::align_val_t alignment)
 {
     return allocate(size, static_cast<std::size_t>(alignment));
 }
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept
+{
+    try
+    {
+        return allocate(size, 0);
+    }
+    catch (const std::bad_alloc&)
+    {
+        return nullptr;
+    }
+}
 void operator delete(void* memory) noexcept
+{
+    std::free(memory);
+}
+void operator delete(void* memory, const std::nothrow_t&) noexcept
 {
     std::free(memory);
 }

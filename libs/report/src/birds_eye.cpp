@@ -67,7 +67,7 @@ std::string BirdsEye::pointsSvg() const
     // One path a height band, one dot a pixel: dots are zero-length strokes with round ends.
     constexpr std::array<double, 2> kBands{-1.5, -0.4};  // m, relative to the sensor
     constexpr std::array<const char*, 3> kColours{"#31404f", "#6d8296", "#b9c9d6"};
-    std::array<std::set<std::pair<int, int>>, 3> dots;
+    std::array<std::set<std::pair<long, long>>, 3> dots;
     for (std::size_t i = 0; i < frame_.points.size(); ++i)
     {
         const Eigen::Vector2d world(frame_.origin.x() + frame_.points.x[i],
@@ -77,7 +77,7 @@ std::string BirdsEye::pointsSvg() const
         const std::size_t band = z < kBands[0] ? 0 : z < kBands[1] ? 1 : 2;
         const Eigen::Vector2d p = pixel(world);
         // Bands lie over each other: what stands up hides the ground.
-        dots[band].emplace(static_cast<int>(p.x() + 0.5), static_cast<int>(p.y() + 0.5));
+        dots[band].emplace(std::lround(p.x()), std::lround(p.y()));
     }
     std::string svg;
     for (std::size_t band = 0; band < dots.size(); ++band)
@@ -85,7 +85,11 @@ std::string BirdsEye::pointsSvg() const
         svg += std::string("<path stroke=\"") + kColours[band] +
                "\" stroke-width=\"1.6\" stroke-linecap=\"round\" d=\"";
         for (const auto& [x, y] : dots[band])
-            svg += "M" + std::to_string(x) + " " + std::to_string(y) + "h0";
+            svg.append("M")
+                .append(std::to_string(x))
+                .append(" ")
+                .append(std::to_string(y))
+                .append("h0");
         svg += "\"/>\n";
     }
     return svg;

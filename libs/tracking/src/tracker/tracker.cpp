@@ -42,7 +42,7 @@ public:
         enter(Stage::NewTracks);
         startTracks(segmented, assignment);
         removeDuplicates();
-        const FrameResult result = reportFrame(frame, segmented);
+        FrameResult result = reportFrame(frame, segmented);
         removeEnded();
         if (observer_) observer_(nullptr);
         return result;
@@ -122,10 +122,10 @@ private:
             return sightingOf(frame, clusters, hits, box,
                               Eigen::Vector2d(start.length, start.width), options_.measurement);
         };
-        const Sighting best = from(start);
+        Sighting best = from(start);
         if (positionSigma(track) < kVague && best.measurement.match > kPoorMatch * track.lastMatch)
             return best;
-        const Sighting other = from(movedOntoHits(start, hits, frame.sensorInFrame()));
+        Sighting other = from(movedOntoHits(start, hits, frame.sensorInFrame()));
         return other.measurement.match > best.measurement.match ? other : best;
     }
 
@@ -231,7 +231,7 @@ private:
 
     TrackerOptions options_;
     VehicleKalmanFilter filter_;
-    std::vector<Track> tracks_;          // by rising id
+    std::vector<Track> tracks_;  // by rising id
     std::uint64_t nextId_ = 1;
     std::optional<double> time_;
 };
