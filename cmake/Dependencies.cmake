@@ -1,4 +1,4 @@
-# What the libraries stand on; all of it comes from Debian 12 or Ubuntu packages (see README).
+# What the libraries stand on; all of it comes from Debian 12 packages (packages.txt).
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(NLopt REQUIRED)
 find_package(mrpt-bayes REQUIRED)

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs the Debian or Ubuntu packages that the build needs (packages.txt), if any is missing.
+# Installs the Debian packages that the build needs (packages.txt), if any is missing.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 missing=()
