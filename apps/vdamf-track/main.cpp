@@ -98,6 +98,7 @@ vdamf::TrackRawlogJob jobOf(const Cli& cli)
     job.input = cli.input;
     if (!cli.output.empty()) job.output = cli.output;
     if (!cli.tracks.empty()) job.tracks = cli.tracks;
+    if (!cli.picture.empty()) job.otherOutputs.emplace_back(cli.picture);
     if (cli.overwrite) job.existing = vdamf::OutputFile::Existing::Overwrite;
     if (!cli.frames.empty()) parseFrames(cli.frames, job);
     job.version = VDAMF_VERSION;
@@ -178,6 +179,8 @@ int run(const Cli& cli, const vdamf::TrackRawlogJob& job)
         ++frames;
         if (progress) showProgress(share, frames);
     };
+    // Opened first, so that a run does not end on a picture that cannot be written.
+    checkPaths(job);
     std::optional<vdamf::OutputFile> picture;
     if (!cli.picture.empty())
         picture.emplace(cli.picture, job.existing, vdamf::OutputFile::Unfinished::Discard);

@@ -117,6 +117,13 @@ TEST_F(TrackErrors, GuardsItsOutputs)
     run = track("-i " + kStreet + " --overwrite -o " + kStreet);
     EXPECT_EQ(run.exitCode, 1);
     EXPECT_THAT(run.output, HasSubstr("is the input"));
+    run = track("-i " + kStreet + out("x.out") + " --frames 0:3 --picture " + path("x.out"));
+    EXPECT_EQ(run.exitCode, 1);
+    EXPECT_THAT(run.output, HasSubstr("two outputs"));
+    make("input.rawlog", contentOf("there.rawlog"));
+    run = track(in("input.rawlog") + " --overwrite --picture " + path("input.rawlog"));
+    EXPECT_EQ(run.exitCode, 1);
+    EXPECT_EQ(contentOf("input.rawlog"), "precious");
     run = track("-i " + kStreet + out("no/such/folder.rawlog"));
     EXPECT_EQ(run.exitCode, 1);
     EXPECT_THAT(run.output, HasSubstr("no/such/folder.rawlog"));

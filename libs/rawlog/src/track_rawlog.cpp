@@ -38,23 +38,6 @@ private:
     std::chrono::steady_clock::time_point start_;
 };
 
-// Two outputs, or an output and the input, must not be one file.
-void checkPaths(const TrackRawlogJob& job)
-{
-    const auto same = [](const std::filesystem::path& a, const std::filesystem::path& b)
-    {
-        std::error_code error;
-        if (std::filesystem::equivalent(a, b, error)) return true;
-        return std::filesystem::weakly_canonical(a, error) ==
-               std::filesystem::weakly_canonical(b, error);
-    };
-    for (const auto& output : {job.output, job.tracks})
-        if (output && same(*output, job.input))
-            throw std::runtime_error(output->string() + ": is the input; choose another output");
-    if (job.output && job.tracks && same(*job.output, *job.tracks))
-        throw std::runtime_error(job.output->string() + ": is named for two outputs");
-}
-
 class Run
 {
 public:
@@ -277,6 +260,28 @@ private:
     std::chrono::steady_clock::time_point stageStart_;
 };
 }  // namespace
+
+void checkPaths(const TrackRawlogJob& job)
+{
+    const auto same = [](const std::filesystem::path& a, const std::filesystem::path& b)
+    {
+        std::error_code error;
+        if (std::filesystem::equivalent(a, b, error)) return true;
+        return std::filesystem::weakly_canonical(a, error) ==
+               std::filesystem::weakly_canonical(b, error);
+    };
+    std::vector<std::filesystem::path> outputs = job.otherOutputs;
+    if (job.output) outputs.push_back(*job.output);
+    if (job.tracks) outputs.push_back(*job.tracks);
+    for (std::size_t i = 0; i < outputs.size(); ++i)
+    {
+        if (same(outputs[i], job.input))
+            throw std::runtime_error(outputs[i].string() + ": is the input; choose another output");
+        for (std::size_t j = 0; j < i; ++j)
+            if (same(outputs[i], outputs[j]))
+                throw std::runtime_error(outputs[i].string() + ": is named for two outputs");
+    }
+}
 
 TrackRawlogSummary trackRawlog(const TrackRawlogJob& job, const std::atomic<bool>& stop,
                                const FrameListener& listener)

@@ -9,6 +9,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "vdamf/files/output_file.h"
 #include "vdamf/rawlog/configuration.h"
@@ -21,6 +22,8 @@ struct TrackRawlogJob
     std::filesystem::path input;
     std::optional<std::filesystem::path> output;  ///< annotated rawlog
     std::optional<std::filesystem::path> tracks;  ///< tracks.csv
+    /// Files that the caller writes beside these: checked not to be the input or another output.
+    std::vector<std::filesystem::path> otherOutputs;
     OutputFile::Existing existing = OutputFile::Existing::Refuse;
     /// Frames to track, [first, last). Entries before the first one are copied without
     /// annotation, entries behind the last one are left out.
@@ -54,6 +57,10 @@ struct TrackRawlogSummary
 /// Called after each frame with its result (for reports) and the share of the input read.
 using FrameListener =
     std::function<void(const LadarFrame& frame, const FrameResult& result, double progress)>;
+
+/// Throws std::runtime_error where an output is the input, or one file is named for two outputs.
+/// trackRawlog() checks it too, before it opens any output.
+void checkPaths(const TrackRawlogJob& job);
 
 /// Runs the job. Memory does not grow with the input: a scan waits for INS poses at most over one
 /// second of entries. Outputs appear under their names when whole; after an error (thrown as
