@@ -186,7 +186,7 @@ int run(const Cli& cli, const vdamf::TrackRawlogJob& job)
         picture.emplace(cli.picture, job.existing, vdamf::OutputFile::Unfinished::Discard);
     const vdamf::TrackRawlogSummary summary = vdamf::trackRawlog(job, interrupted, listener);
     if (progress) std::fprintf(stderr, "\n");
-    if (picture)
+    if (picture && !summary.interrupted)
     {
         picture->write(birdsEye.svg());
         picture->commit();

@@ -124,6 +124,11 @@ TEST_F(TrackErrors, GuardsItsOutputs)
     run = track(in("input.rawlog") + " --overwrite --picture " + path("input.rawlog"));
     EXPECT_EQ(run.exitCode, 1);
     EXPECT_EQ(contentOf("input.rawlog"), "precious");
+    make("old.rawlog.partial", "precious");
+    run = track(in("old.rawlog.partial") + out("old.rawlog"));
+    EXPECT_EQ(run.exitCode, 1);
+    EXPECT_THAT(run.output, HasSubstr("is the input"));
+    EXPECT_EQ(contentOf("old.rawlog.partial"), "precious");
     run = track("-i " + kStreet + out("no/such/folder.rawlog"));
     EXPECT_EQ(run.exitCode, 1);
     EXPECT_THAT(run.output, HasSubstr("no/such/folder.rawlog"));

@@ -13,6 +13,7 @@ namespace vdamf
 namespace
 {
 constexpr double kLookAhead = 1.0;                    // s of entries that a scan waits for a pose
+constexpr double kPlausible = 600.0;                  // s
 constexpr std::size_t kLookAheadBytes = 256U << 20U;  // and bytes
 
 // Observations of an entry: itself, or those of its sensory frame.
@@ -50,7 +51,7 @@ bool PendingEntries::readOne()
         ins_.insert(*observation);
         const bool stamped = observation->timestamp != INVALID_TIMESTAMP;
         const double time = stamped ? mrpt::Clock::toDouble(observation->timestamp) : 0.0;
-        newestTime_ = std::max(newestTime_, time);
+        if (stamped) latestTime_ = time;
         if (!isScan(*observation)) continue;
         if (!scanLabel_.empty() && observation->sensorLabel != scanLabel_) continue;
         pending.scans.push_back({observation, time, false, {}});
@@ -69,10 +70,15 @@ bool PendingEntries::mayReadAhead() const
 
 bool PendingEntries::waitsForPose(const PendingEntry& entry) const
 {
-    return std::any_of(
-        entry.scans.begin(), entry.scans.end(),
-        [this](const PendingScan& scan)
-        { return !scan.done && !ins_.covers(scan.time) && newestTime_ < scan.time + kLookAhead; });
+    return std::any_of(entry.scans.begin(), entry.scans.end(),
+                       [this](const PendingScan& scan)
+                       {
+                           // A stamp far off the scan's is a fault of its entry and ends no
+                           // waiting.
+                           const double ahead = latestTime_ - scan.time;
+                           return !scan.done && !ins_.covers(scan.time) &&
+                                  (ahead < kLookAhead || ahead > kPlausible);
+                       });
 }
 
 bool PendingEntries::prepareFirst()

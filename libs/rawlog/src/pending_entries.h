@@ -57,7 +57,7 @@ private:
     std::string scanLabel_;
     std::deque<PendingEntry> entries_;
     std::size_t bytes_ = 0;
-    double newestTime_ = 0.0;
+    double latestTime_ = 0.0;  ///< of the entry read last
     bool atEnd_ = false;
 };
 

@@ -275,8 +275,14 @@ void checkPaths(const TrackRawlogJob& job)
     if (job.tracks) outputs.push_back(*job.tracks);
     for (std::size_t i = 0; i < outputs.size(); ++i)
     {
+        std::filesystem::path partial = outputs[i];
+        partial += ".partial";
         if (same(outputs[i], job.input))
             throw std::runtime_error(outputs[i].string() + ": is the input; choose another output");
+        if (same(partial, job.input))
+            throw std::runtime_error(outputs[i].string() + ": is written by way of " +
+                                     partial.string() +
+                                     ", which is the input; choose another output");
         for (std::size_t j = 0; j < i; ++j)
             if (same(outputs[i], outputs[j]))
                 throw std::runtime_error(outputs[i].string() + ": is named for two outputs");

@@ -142,6 +142,8 @@ TEST(Tracker, RefusesTimeThatGoesBackAndBadOptions)
     frame.time = 5.0;
     EXPECT_TRUE(tracker.process(frame).tracks.empty());
     EXPECT_THROW(tracker.process(frame), std::invalid_argument);
+    frame.time = std::nan("");
+    EXPECT_THROW(tracker.process(frame), std::invalid_argument);
     TrackerOptions bad;
     bad.lifecycle.minHits = -1;
     bad.measurement.sigma = 99.0;

@@ -27,7 +27,7 @@ public:
 
     FrameResult process(const LadarFrame& frame)
     {
-        if (time_ && frame.time <= *time_)
+        if (!std::isfinite(frame.time) || (time_ && frame.time <= *time_))
             throw std::invalid_argument("frames must come in order of time");
         const SegmentedFrame segmented = segment(frame);
         enter(Stage::Prediction);
@@ -189,13 +189,12 @@ private:
     {
         for (std::size_t j = 1; j < tracks_.size(); ++j)
         {
-            for (std::size_t k = 0; k < j; ++k)
+            for (std::size_t k = 0; k < j && tracks_[j].status != TrackStatus::Ended; ++k)
             {
                 if (tracks_[k].status == TrackStatus::Ended || !sameObject(tracks_[k], tracks_[j]))
                     continue;
                 const bool keepOlder = tracks_[k].misses <= tracks_[j].misses;
                 (keepOlder ? tracks_[j] : tracks_[k]).status = TrackStatus::Ended;
-                if (keepOlder) break;
             }
         }
     }
