@@ -61,7 +61,6 @@ struct FrameResult
     std::size_t points = 0;           ///< in the frame
     std::size_t pointsAboveGround = 0;
     std::size_t clusters = 0;
-    std::vector<std::string> warnings;
 };
 
 }  // namespace vdamf
