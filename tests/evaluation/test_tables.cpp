@@ -79,7 +79,8 @@ void expectSame(const TrackReport& a, const TrackReport& b)
 }
 
 constexpr const char* kTruthHeader =
-    "time_s,object_id,class,x_m,y_m,z_m,heading_rad,length_m,width_m,height_m,speed_mps,points\n";
+    "time_s,object_id,class,x_m,y_m,z_m,heading_rad,length_m,width_m,height_m,speed_mps,points,"
+    "sensor_x_m,sensor_y_m,sensor_heading_rad\n";
 
 constexpr const char* kTracksHeader =
     "time_s,track_id,status,vehicle_probability,is_vehicle,x_m,y_m,z_m,heading_rad,speed_mps,"
@@ -98,11 +99,12 @@ TEST_F(TablesTest, HeadersAreTheContract)
 
 TEST_F(TablesTest, LinesAreTheContract)
 {
-    const TruthRow row = {1317042145.9639999, "3", "Van", {12.5, -3.25, 1.5, 5.0, 2.0}, -1.0, 2.25,
-                          -0.00001,           42};
+    const TruthRow row = {
+        1317042145.9639999,      "3", "Van", {12.5, -3.25, 1.5, 5.0, 2.0}, -1.0, 2.25, -0.00001, 42,
+        PlanePose{1.0, 2.0, 0.5}};
     EXPECT_EQ(toCsv(row),
               "1317042145.964000,3,Van,12.5000,-3.2500,-1.0000,1.500000,5.0000,2.0000,2.2500,"
-              "0.0000,42\n");
+              "0.0000,42,1.0000,2.0000,0.500000\n");
     const std::vector<TrackRow> rows =
         readTracks(make("t.csv", std::string(kTracksHeader) + kTrackLine));
     ASSERT_EQ(rows.size(), 1U);
@@ -126,7 +128,8 @@ TEST_F(TablesTest, TruthRoundTrip)
                         n,
                         1.5,
                         n / 11,
-                        static_cast<int>(rows.size()) - 1});
+                        static_cast<int>(rows.size()) - 1,
+                        n > 3 ? std::optional<PlanePose>({n, -n, 0.1 * n}) : std::nullopt});
         text += toCsv(rows.back());
     }
     const std::vector<TruthRow> back = readTruth(make("truth.csv", text));
@@ -141,7 +144,24 @@ TEST_F(TablesTest, TruthRoundTrip)
         EXPECT_NEAR(back[i].box.length, rows[i].box.length, 1e-4);
         EXPECT_NEAR(back[i].speed, rows[i].speed, 1e-4);
         EXPECT_EQ(back[i].points, rows[i].points);
+        ASSERT_EQ(back[i].sensor.has_value(), rows[i].sensor.has_value());
+        if (rows[i].sensor)
+        {
+            EXPECT_NEAR(back[i].sensor->y, rows[i].sensor->y, 1e-4);
+            EXPECT_NEAR(back[i].sensor->heading, rows[i].sensor->heading, 1e-6);
+        }
     }
+}
+
+TEST_F(TablesTest, ATruthTableMayLackTheSensor)
+{
+    const std::string row = "1.5,a,Car,1,2,0,0,4,2,1.5,0,7";
+    const auto path = make("truth.csv",
+                           "time_s,object_id,class,x_m,y_m,z_m,heading_rad,length_m,width_m,"
+                           "height_m,speed_mps,points\n" +
+                               row + '\n');
+    ASSERT_EQ(readTruth(path).size(), 1U);
+    EXPECT_FALSE(readTruth(path)[0].sensor);
 }
 
 TEST_F(TablesTest, TracksRoundTrip)

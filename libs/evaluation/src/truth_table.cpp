@@ -33,6 +33,35 @@ double positive(const CsvReader& reader, const char* column)
     reader.fail(column, "expected a number above 0, found '" + reader.text(column) + "'");
 }
 
+const std::vector<std::string>& sensorColumns()
+{
+    static const std::vector<std::string> kColumns = {"sensor_x_m", "sensor_y_m",
+                                                      "sensor_heading_rad"};
+    return kColumns;
+}
+
+std::string sensorCells(const std::optional<PlanePose>& sensor)
+{
+    if (!sensor) return ",,";
+    return joined(
+        {toFixedText(sensor->x, 4), toFixedText(sensor->y, 4), toFixedText(sensor->heading, 6)},
+        ",");
+}
+
+/// All three or none: a pose in parts is a mistake of whoever wrote the table.
+std::optional<PlanePose> sensorOf(const CsvReader& reader)
+{
+    std::vector<double> values;
+    for (const std::string& column : sensorColumns())
+    {
+        const auto value = reader.hasColumn(column) ? reader.optionalNumber(column) : std::nullopt;
+        if (value) values.push_back(*value);
+    }
+    if (values.empty()) return std::nullopt;
+    if (values.size() == 3) return PlanePose{values[0], values[1], values[2]};
+    reader.fail("sensor_x_m", "expected all of " + joined(sensorColumns(), ", ") + ", or none");
+}
+
 TruthRow rowOf(const CsvReader& reader)
 {
     TruthRow row;
@@ -51,6 +80,7 @@ TruthRow rowOf(const CsvReader& reader)
         reader.fail("points", "expected a count, or -1 if unknown");
     }
     row.points = static_cast<int>(points);
+    row.sensor = sensorOf(reader);
     return row;
 }
 }  // namespace
@@ -72,18 +102,18 @@ const std::vector<std::string>& truthColumns()
 
 std::string truthHeader()
 {
-    return joined(truthColumns(), ",") + '\n';
+    return joined(truthColumns(), ",") + ',' + joined(sensorColumns(), ",") + '\n';
 }
 
 std::string toCsv(const TruthRow& row)
 {
     const OrientedBox& box = row.box;
-    return joined(
-               {toFixedText(row.time, 6), checkedId(row.objectId), row.objectClass,
-                toFixedText(box.x, 4), toFixedText(box.y, 4), toFixedText(row.z, 4),
-                toFixedText(box.heading, 6), toFixedText(box.length, 4), toFixedText(box.width, 4),
-                toFixedText(row.height, 4), toFixedText(row.speed, 4), std::to_string(row.points)},
-               ",") +
+    return joined({toFixedText(row.time, 6), checkedId(row.objectId), row.objectClass,
+                   toFixedText(box.x, 4), toFixedText(box.y, 4), toFixedText(row.z, 4),
+                   toFixedText(box.heading, 6), toFixedText(box.length, 4),
+                   toFixedText(box.width, 4), toFixedText(row.height, 4), toFixedText(row.speed, 4),
+                   std::to_string(row.points), sensorCells(row.sensor)},
+                  ",") +
            '\n';
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,17 +11,26 @@
 
 namespace vdamf
 {
+/// Where the sensor stood in the plane, for what is said by range, bearing and faces seen.
+struct PlanePose
+{
+    double x = 0.0;        ///< m
+    double y = 0.0;        ///< m
+    double heading = 0.0;  ///< of the vehicle that carries it, rad
+};
+
 /// One labelled object in one frame. World frame: x east, y north, z up.
 struct TruthRow
 {
-    double time = 0.0;        ///< s (UNIX)
-    std::string objectId;     ///< without comma
-    std::string objectClass;  ///< Car, Van, Truck, Tram, Bus, Pedestrian, Cyclist, Other
-    OrientedBox box;          ///< m, rad
-    double z = 0.0;           ///< bottom, m
-    double height = 0.0;      ///< m
-    double speed = 0.0;       ///< along the heading, m/s
-    int points = -1;          ///< LADAR hits inside the box, -1 if unknown
+    double time = 0.0;                ///< s (UNIX)
+    std::string objectId;             ///< without comma
+    std::string objectClass;          ///< Car, Van, Truck, Tram, Bus, Pedestrian, Cyclist, Other
+    OrientedBox box;                  ///< m, rad
+    double z = 0.0;                   ///< bottom, m
+    double height = 0.0;              ///< m
+    double speed = 0.0;               ///< along the heading, m/s
+    int points = -1;                  ///< LADAR hits inside the box, -1 if unknown
+    std::optional<PlanePose> sensor;  ///< at this time; nothing where the table does not say
 };
 
 /// One row of tracks.csv.
@@ -36,6 +46,7 @@ struct TrackRow
 
 /// The classes of truth.csv.
 const std::vector<std::string>& truthClasses();
+/// Without the columns of `sensor`, which a table may lack.
 const std::vector<std::string>& truthColumns();
 std::string truthHeader();               ///< with the line's end
 std::string toCsv(const TruthRow& row);  ///< with the line's end

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Truth and tracks side by side, frame by frame, cut to what is scored.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "vdamf/evaluation/tables.h"
+#include "vdamf/tracking/types/options.h"
+
+namespace vdamf
+{
+/// What counts. Truth that does not count is "don't care": it is neither found nor missed, and a
+/// track on it is no false alarm.
+struct ScoringOptions
+{
+    double overlap = 0.5;        ///< bird's-eye IoU from which a track has found an object
+    int minPoints = 1;           ///< objects with fewer hits are don't care; unknown counts count
+    double maxRange = 0.0;       ///< objects and tracks farther from the sensor: not scored; 0: all
+    double regionFov = 0.0;      ///< labelled sector ahead, rad; 0: all around
+    bool onlyVehicles = false;   ///< drop tracks that the discriminator takes for clutter
+    bool withTentative = false;  ///< score tentative tracks too
+    double timeTolerance = 1e-3;  ///< between rows of one frame, s
+};
+
+/// One frame as it is scored. Tracks outside the region and unpublished ones (tentative, ended) are
+/// left out; truth outside the region is left out as well.
+struct ScoredFrame
+{
+    double time = 0.0;  ///< s
+    std::optional<PlanePose> sensor;
+    std::vector<TruthRow> truth;   ///< by objectId
+    std::vector<bool> counts;      ///< for each of `truth`; false: don't care
+    std::vector<TrackRow> tracks;  ///< by id
+};
+
+/// All frames of the truth and of the tracks, by time. A frame of the truth without tracks is a
+/// frame of misses; rows of tracks at times between the first and last frame of the truth that no
+/// object has are false alarms, those outside of it are not scored.
+struct Sequence
+{
+    std::vector<ScoredFrame> frames;
+};
+
+/// Vehicles (Car, Van, Truck, Tram, Bus) count; other classes are don't care. The sensor's pose at
+/// frames without truth is interpolated between those with it. Throws std::runtime_error where an
+/// option needs the sensor's pose and the truth has none (it names the missing columns), where an
+/// object or a track stands twice in a frame, and where no frame of the two tables has a time in
+/// common.
+Sequence makeSequence(const std::vector<TruthRow>& truth, const std::vector<TrackRow>& tracks,
+                      const ScoringOptions& options);
+
+}  // namespace vdamf
