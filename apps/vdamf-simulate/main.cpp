@@ -7,17 +7,12 @@
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
-#include <iostream>
-#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
-#include "observations.h"
-#include "vdamf/evaluation/tables.h"
-#include "vdamf/files/output_file.h"
-#include "vdamf/rawlog/rawlog_writer.h"
-#include "vdamf/simulation/scenario.h"
+#include "simulation_run.h"
 
 namespace
 {
@@ -28,17 +23,11 @@ constexpr int kBadUse = 2;
 struct CommandLine
 {
     std::filesystem::path scenario;
-    std::filesystem::path rawlog;
-    std::filesystem::path truth;
+    vdamf::SimulationOutputs outputs;
     bool overwrite = false;
-    int gzLevel = 1;
+    bool quiet = false;
     std::optional<int> seed;
-};
-
-struct Totals
-{
-    std::size_t poses = 0;
-    std::size_t returns = 0;
+    std::vector<std::string> set;
 };
 
 volatile std::sig_atomic_t stopRequested = 0;
@@ -48,130 +37,113 @@ void requestStop(int /*signal*/)
     stopRequested = 1;
 }
 
+void declare(CLI::App& app, CommandLine& line)
+{
+    app.set_version_flag("--version", std::string("vdamf-simulate ") + VDAMF_VERSION);
+    app.add_option("scenario", line.scenario, "Scenario file (ini)")->required();
+    app.add_option("-o,--output", line.outputs.rawlog, "Rawlog to write")->required();
+    app.add_option("--truth", line.outputs.truth, "Truth table to write (csv)");
+    app.add_option("--set", line.set, "section.key=value over the scenario (repeatable)")
+        ->allow_extra_args(false);
+    app.add_flag("--overwrite", line.overwrite, "Replace existing outputs");
+    app.add_flag("-q,--quiet", line.quiet, "No progress, no summary");
+    app.add_option("--gz-level", line.outputs.gzLevel, "Compression, 0 (none) to 9")
+        ->check(CLI::Range(0, 9));
+    app.add_option("--seed", line.seed, "Instead of the scenario's seed")
+        ->check(CLI::Range(0, 2147483647));
+    app.footer(
+        "Example:\n  vdamf-simulate datasets/street/scenario.ini -o street.rawlog "
+        "--truth truth.csv");
+}
+
+/// Throws std::runtime_error where an output would be written over the scenario or another output.
+void checkPaths(const CommandLine& line)
+{
+    std::vector<std::filesystem::path> outputs{line.outputs.rawlog};
+    if (!line.outputs.truth.empty()) outputs.push_back(line.outputs.truth);
+    for (const std::filesystem::path& output : outputs)
+    {
+        const std::filesystem::path partial = vdamf::partialPathOf(output);
+        if (vdamf::sameFile(output, line.scenario))
+        {
+            throw std::runtime_error(output.string() + ": is the scenario; choose another output");
+        }
+        if (vdamf::sameFile(partial, line.scenario))
+        {
+            throw std::runtime_error(output.string() + ": is written by way of " +
+                                     partial.string() +
+                                     ", which is the scenario; choose another output");
+        }
+        for (const std::filesystem::path& other : outputs)
+        {
+            const bool isOther = &other != &output;
+            if (isOther && (vdamf::sameFile(output, other) || vdamf::sameFile(partial, other)))
+            {
+                throw std::runtime_error("--truth " + line.outputs.truth.string() +
+                                         ": must be another file than --output " +
+                                         line.outputs.rawlog.string());
+            }
+        }
+    }
+}
+
+vdamf::Scenario scenarioOf(const CommandLine& line)
+{
+    vdamf::IniDocument document = vdamf::IniDocument::load(line.scenario);
+    for (const std::string& assignment : line.set) document.set(assignment);
+    vdamf::Scenario scenario = vdamf::readScenario(document);
+    if (line.seed) scenario.run.seed = *line.seed;
+    return scenario;
+}
+
 void showProgress(int done, int all)
 {
-    if (isatty(STDERR_FILENO) == 0) return;
     std::fprintf(stderr, "\rframe %d of %d%s", done, all, done == all ? "\n" : "");
 }
 
-/// Writes poses up to a scene time, in their order with the scans.
-class PoseWriter
-{
-public:
-    PoseWriter(const vdamf::Scenario& scenario, vdamf::RawlogWriter& rawlog)
-        : scenario_(scenario), rawlog_(rawlog)
-    {
-    }
-
-    void writeUntil(double sceneTime)
-    {
-        constexpr double kRounding = 1e-9;
-        while (static_cast<double>(written_) / scenario_.run.insRate <= sceneTime + kRounding)
-        {
-            const double time = static_cast<double>(written_) / scenario_.run.insRate;
-            rawlog_.write(vdamf::poseObservation(scenario_, time));
-            ++written_;
-        }
-    }
-
-    std::size_t written() const { return written_; }
-
-private:
-    const vdamf::Scenario& scenario_;
-    vdamf::RawlogWriter& rawlog_;
-    std::size_t written_ = 0;
-};
-
-std::size_t countReturns(const vdamf::SimulatedFrame& frame)
-{
-    std::size_t count = 0;
-    for (const vdamf::LadarFiring& firing : frame.firings)
-    {
-        for (const vdamf::LadarReturn& one : firing.returns) count += one.range > 0.0 ? 1 : 0;
-    }
-    return count;
-}
-
-Totals simulate(const vdamf::Scenario& scenario, const CommandLine& line)
-{
-    using vdamf::OutputFile;
-    vdamf::RawlogWriter::Options options;
-    options.gzLevel = line.gzLevel;
-    options.existing =
-        line.overwrite ? OutputFile::Existing::Overwrite : OutputFile::Existing::Refuse;
-    vdamf::RawlogWriter rawlog(line.rawlog, options);
-    std::unique_ptr<OutputFile> truth;
-    if (!line.truth.empty())
-    {
-        truth = std::make_unique<OutputFile>(line.truth, options.existing,
-                                             OutputFile::Unfinished::Discard);
-        truth->write(vdamf::truthHeader());
-    }
-
-    PoseWriter poses(scenario, rawlog);
-    Totals totals;
-    for (int i = 0; i < scenario.frames(); ++i)
-    {
-        if (stopRequested != 0) throw std::runtime_error("interrupted; no output was kept");
-        const vdamf::SimulatedFrame frame = vdamf::simulateFrame(scenario, i);
-        poses.writeUntil(scenario.frameTime(i));
-        rawlog.write(vdamf::scanObservation(scenario, frame));
-        for (const vdamf::TruthRow& row : frame.truth)
-        {
-            if (truth) truth->write(vdamf::toCsv(row));
-        }
-        totals.returns += countReturns(frame);
-        showProgress(i + 1, scenario.frames());
-    }
-    // One pose at or behind the end, so that the last scan is between two poses.
-    poses.writeUntil(scenario.run.duration + 1.0 / scenario.run.insRate);
-    totals.poses = poses.written();
-    rawlog.commit();
-    if (truth) truth->commit();
-    return totals;
-}
-
-void summarise(const vdamf::Scenario& scenario, const CommandLine& line, const Totals& totals,
-               double seconds)
+void summarise(const vdamf::Scenario& scenario, const CommandLine& line,
+               const vdamf::SimulationTotals& totals, double seconds)
 {
     std::size_t vehicles = 0;
     for (const auto& object : scenario.scene.objects)
     {
         vehicles += vdamf::isVehicle(object.objectClass) ? 1 : 0;
     }
+    const bool isPiped =
+        vdamf::isStandardOutput(line.outputs.rawlog) || vdamf::isStandardOutput(line.outputs.truth);
+    std::FILE* const to = isPiped ? stderr : stdout;
     const int frames = scenario.frames();
-    std::printf("%s\n", line.rawlog.string().c_str());
-    std::printf("  frames      %d (%g s at %g Hz)\n", frames, scenario.run.duration,
-                scenario.run.rate);
-    std::printf("  returns     %zu a frame\n", totals.returns / static_cast<std::size_t>(frames));
-    std::printf("  poses       %zu\n", totals.poses);
-    std::printf("  objects     %zu, of which %zu vehicles\n", scenario.scene.objects.size(),
-                vehicles);
-    if (std::filesystem::is_regular_file(line.rawlog))  // it may be a device
+    std::fprintf(to, "%s\n", line.outputs.rawlog.string().c_str());
+    std::fprintf(to, "  frames      %d (%g s at %g Hz)\n", frames, scenario.run.duration,
+                 scenario.frameRate());
+    std::fprintf(to, "  scans       %zu of %zu sensors\n", totals.scans, scenario.sensors.size());
+    std::fprintf(to, "  returns     %zu a frame\n",
+                 totals.returns / static_cast<std::size_t>(frames));
+    std::fprintf(to, "  poses       %zu\n", totals.poses);
+    std::fprintf(to, "  objects     %zu, of which %zu vehicles\n", scenario.scene.objects.size(),
+                 vehicles);
+    if (std::filesystem::is_regular_file(line.outputs.rawlog))  // it may be a device
     {
-        std::printf("  size        %.1f MB\n",
-                    static_cast<double>(std::filesystem::file_size(line.rawlog)) / 1e6);
+        std::fprintf(to, "  size        %.1f MB\n",
+                     static_cast<double>(std::filesystem::file_size(line.outputs.rawlog)) / 1e6);
     }
-    std::printf("  time taken  %.1f s (%.1f frames/s)\n", seconds, frames / seconds);
+    std::fprintf(to, "  time taken  %.1f s (%.1f frames/s)\n", seconds, frames / seconds);
 }
 
-int run(const CommandLine& line)
+int run(const CommandLine& line, const vdamf::Scenario& scenario)
 {
-    vdamf::Scenario scenario;
-    try
+    std::signal(SIGINT, requestStop);
+    std::signal(SIGTERM, requestStop);
+    const bool progress = !line.quiet && isatty(STDERR_FILENO) != 0;
+    const auto goOn = [&](int done, int all)
     {
-        scenario = vdamf::readScenario(vdamf::IniDocument::load(line.scenario));
-    }
-    catch (const std::runtime_error& error)
-    {
-        std::cerr << error.what() << '\n';
-        return kBadUse;
-    }
-    if (line.seed) scenario.run.seed = *line.seed;
+        if (progress) showProgress(done, all);
+        return stopRequested == 0;
+    };
     const auto begin = std::chrono::steady_clock::now();
-    const Totals totals = simulate(scenario, line);
+    const vdamf::SimulationTotals totals = vdamf::runSimulation(scenario, line.outputs, goOn);
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
-    summarise(scenario, line, totals, taken.count());
+    if (!line.quiet) summarise(scenario, line, totals, taken.count());
     return kDone;
 }
 
@@ -179,35 +151,30 @@ int parseAndRun(int argc, char** argv)
 {
     CommandLine line;
     CLI::App app(
-        "Simulates a LADAR on a driving platform: a rawlog with scans and poses, and the "
-        "truth of all vehicles.");
-    app.footer(
-        "Example:\n  vdamf-simulate datasets/street/scenario.ini -o street.rawlog "
-        "--truth truth.csv");
-    app.set_version_flag("--version", VDAMF_VERSION);
-    app.add_option("scenario", line.scenario, "Scenario file (ini)")->required();
-    app.add_option("-o,--output", line.rawlog, "Rawlog to write")->required();
-    app.add_option("--truth", line.truth, "Truth table to write (csv)");
-    app.add_flag("--overwrite", line.overwrite, "Replace existing outputs");
-    app.add_option("--gz-level", line.gzLevel, "Compression, 0 (none) to 9")
-        ->check(CLI::Range(0, 9));
-    app.add_option("--seed", line.seed, "Instead of the scenario's seed")
-        ->check(CLI::Range(0, 2147483647));
+        "Simulates LADARs on a driving platform: a rawlog with scans and poses, and the truth of "
+        "all road users.");
+    declare(app, line);
+    vdamf::Scenario scenario;
     try
     {
         app.parse(argc, argv);
-        if (line.truth == line.rawlog)
-        {
-            throw CLI::ValidationError("--truth", "must be another file than --output");
-        }
+        if (line.overwrite) line.outputs.existing = vdamf::OutputFile::Existing::Overwrite;
+        checkPaths(line);
+        scenario = scenarioOf(line);
     }
     catch (const CLI::ParseError& error)
     {
-        return app.exit(error) == 0 ? kDone : kBadUse;
+        if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
+        std::fprintf(stderr, "vdamf-simulate: %s\nRun with --help for more information.\n",
+                     error.what());
+        return kBadUse;
     }
-    std::signal(SIGINT, requestStop);
-    std::signal(SIGTERM, requestStop);
-    return run(line);
+    catch (const std::runtime_error& error)
+    {
+        std::fprintf(stderr, "vdamf-simulate: %s\n", error.what());
+        return kBadUse;
+    }
+    return run(line, scenario);
 }
 }  // namespace
 

@@ -4,11 +4,14 @@
 
 #include <CLI/CLI.hpp>
 #include <atomic>
+#include <cerrno>
 #include <charconv>
 #include <csignal>
 #include <cstdio>
-#include <iostream>
+#include <stdexcept>
+#include <system_error>
 
+#include "summary.h"
 #include "vdamf/rawlog/track_rawlog.h"
 #include "vdamf/report/birds_eye.h"
 
@@ -31,6 +34,7 @@ struct Cli
     std::string input;
     std::string output;
     std::string tracks;
+    std::string nis;
     std::string picture;
     std::string frames;
     std::vector<std::string> set;
@@ -46,6 +50,7 @@ void declare(CLI::App& app, Cli& cli)
     app.add_option("-i,--input", cli.input, "rawlog to read");
     app.add_option("-o,--output", cli.output, "annotated rawlog to write");
     app.add_option("--tracks", cli.tracks, "table of all tracks to write (CSV)");
+    app.add_option("--nis", cli.nis, "table of each track's consistency (NIS) to write (CSV)");
     app.add_option("--picture", cli.picture, "bird's-eye picture of the last frame to write (SVG)");
     app.add_option("--frames", cli.frames, "frames A:B to track, the first one is 0, B excluded");
     app.add_option("--set", cli.set, "section.key=value over the configuration (repeatable)")
@@ -54,6 +59,12 @@ void declare(CLI::App& app, Cli& cli)
     app.add_flag("-q,--quiet", cli.quiet, "no progress, no summary");
     app.add_flag("--print-config", cli.printConfig,
                  "print the effective configuration as ini and exit");
+    app.failure_message(
+        [](const CLI::App*, const CLI::Error& error)
+        {
+            return "vdamf-track: " + std::string(error.what()) +
+                   "\nRun with --help for more information.\n";
+        });
     app.footer(
         "Example:\n  vdamf-track -i street.rawlog -o street_tracked.rawlog "
         "--tracks tracks.csv --picture street.svg");
@@ -89,19 +100,42 @@ vdamf::Configuration configurationOf(const Cli& cli)
     return vdamf::readConfiguration(document);
 }
 
+std::vector<std::string> outputsOf(const Cli& cli)
+{
+    std::vector<std::string> all;
+    for (const std::string& name : {cli.output, cli.tracks, cli.nis, cli.picture})
+        if (!name.empty()) all.push_back(name);
+    return all;
+}
+
+// What is printed must not stand in the midst of an output.
+std::FILE* streamForSummary(const Cli& cli)
+{
+    for (const std::string& name : outputsOf(cli))
+        if (vdamf::isStandardOutput(name)) return stderr;
+    return stdout;
+}
+
 vdamf::TrackRawlogJob jobOf(const Cli& cli)
 {
     if (cli.input.empty()) throw std::invalid_argument("-i is required: the rawlog to read");
-    if (cli.output.empty() && cli.tracks.empty() && cli.picture.empty())
-        throw std::invalid_argument("nothing to write: name -o, --tracks or --picture");
+    if (outputsOf(cli).empty())
+        throw std::invalid_argument("nothing to write: name -o, --tracks, --nis or --picture");
+    for (const std::string& name : outputsOf(cli))
+        if (name == "-")
+            throw std::invalid_argument(
+                "'-' is no file: for the standard output name /dev/stdout (or ./- for a file of "
+                "this name)");
     vdamf::TrackRawlogJob job;
     job.input = cli.input;
     if (!cli.output.empty()) job.output = cli.output;
     if (!cli.tracks.empty()) job.tracks = cli.tracks;
+    if (!cli.nis.empty()) job.nis = cli.nis;
     if (!cli.picture.empty()) job.otherOutputs.emplace_back(cli.picture);
     if (cli.overwrite) job.existing = vdamf::OutputFile::Existing::Overwrite;
     if (!cli.frames.empty()) parseFrames(cli.frames, job);
     job.version = VDAMF_VERSION;
+    checkPaths(job);
     return job;
 }
 
@@ -114,55 +148,32 @@ void showProgress(double share, std::uint64_t frames)
                  static_cast<unsigned long long>(frames));
 }
 
-void warn(const vdamf::TrackRawlogSummary& s, const std::string& input)
+// A full disk or a closed pipe shows itself at the latest here.
+void checkPrinted(std::FILE* stream)
 {
-    const auto line = [&](std::uint64_t count, const std::string& what)
-    {
-        if (count > 0)
-            std::fprintf(stderr, "%s: %llu %s\n", input.c_str(),
-                         static_cast<unsigned long long>(count), what.c_str());
-    };
-    line(s.withoutPose, "scans skipped: no INS pose at their time");
-    line(s.outOfOrder, "scans skipped: not later than the frame before");
-    line(s.unreadable, "scans skipped: " + s.firstUnreadable);
-    line(s.read.unknown, "entries of unknown classes, copied as they are");
-    line(s.read.damaged, "damaged entries left out");
-    for (const std::string& problem : s.read.problems)
-        std::fprintf(stderr, "  %s\n", problem.c_str());
+    errno = 0;
+    if (std::fflush(stream) == 0 && std::ferror(stream) == 0) return;
+    throw std::runtime_error("cannot write to the standard output: " +
+                             std::system_category().message(errno != 0 ? errno : EIO));
 }
 
-void printSummary(const vdamf::TrackRawlogSummary& s)
+int exitCodeOf(const Cli& cli, const vdamf::TrackRawlogSummary& summary)
 {
-    const auto perFrame = [&](double seconds)
-    { return 1e3 * seconds / static_cast<double>(std::max<std::uint64_t>(1, s.frames)); };
-    const auto row = [](const char* name, const std::string& value)
-    { std::printf("  %-18s %s\n", name, value.c_str()); };
-    const auto ms = [&](const char* name, double seconds)
-    { std::printf("  %-18s %8.2f ms\n", name, perFrame(seconds)); };
-    std::printf("\n");
-    row("frames", std::to_string(s.frames) + " of " + std::to_string(s.scans) + " scans");
-    row("objects confirmed", std::to_string(s.tracksConfirmed));
-    row("INS poses", s.insSource);
-    if (s.nisCount > 0)
+    const auto frames = static_cast<unsigned long long>(summary.frames);
+    if (summary.interrupted)
     {
-        const auto percent = [&](std::uint64_t part)
-        { return 100.0 * static_cast<double>(part) / static_cast<double>(s.nisCount); };
-        std::printf(
-            "  %-18s %.0f %% below the median, %.1f %% above the 99 %% point "
-            "(expected 50 and 1)\n",
-            "NIS of updates", percent(s.nisBelowMedian), percent(s.nisAbove99));
+        const bool kept = !cli.output.empty() && summary.frames > 0;
+        std::fprintf(stderr, "interrupted: %llu frames done%s\n", frames,
+                     kept ? (" are in " + vdamf::partialPathOf(cli.output).string()).c_str() : "");
+        return kFailed;
     }
-    std::printf("\n  per frame\n");
-    ms("reading", s.readSeconds);
-    ms("to world frame", s.frameSeconds);
-    double tracking = s.frameSeconds;
-    for (std::size_t k = 0; k < s.stageSeconds.size(); ++k)
+    if (summary.read.truncated)
     {
-        ms(toString(static_cast<vdamf::Stage>(k)), s.stageSeconds[k]);
-        tracking += s.stageSeconds[k];
+        std::fprintf(stderr, "%s: truncated: %s; the %llu frames before are done\n",
+                     cli.input.c_str(), summary.read.truncation.c_str(), frames);
+        return kFailed;
     }
-    ms("writing", s.writeSeconds);
-    std::printf("  %-18s %8.2f ms\n", "tracking, all", perFrame(tracking));
+    return kDone;
 }
 
 int run(const Cli& cli, const vdamf::TrackRawlogJob& job)
@@ -180,7 +191,6 @@ int run(const Cli& cli, const vdamf::TrackRawlogJob& job)
         if (progress) showProgress(share, frames);
     };
     // Opened first, so that a run does not end on a picture that cannot be written.
-    checkPaths(job);
     std::optional<vdamf::OutputFile> picture;
     if (!cli.picture.empty())
         picture.emplace(cli.picture, job.existing, vdamf::OutputFile::Unfinished::Discard);
@@ -191,23 +201,13 @@ int run(const Cli& cli, const vdamf::TrackRawlogJob& job)
         picture->write(birdsEye.svg());
         picture->commit();
     }
-    warn(summary, cli.input);
-    if (!cli.quiet) printSummary(summary);
-    if (summary.interrupted)
+    vdamf::warn(summary, cli.input);
+    if (!cli.quiet)
     {
-        std::fprintf(stderr, "interrupted: %llu frames done%s\n",
-                     static_cast<unsigned long long>(summary.frames),
-                     cli.output.empty() ? "" : (" are in " + cli.output + ".partial").c_str());
-        return kFailed;
+        vdamf::printSummary(streamForSummary(cli), summary);
+        checkPrinted(streamForSummary(cli));
     }
-    if (summary.read.truncated)
-    {
-        std::fprintf(stderr, "%s: truncated: %s; the %llu frames before are done\n",
-                     cli.input.c_str(), summary.read.truncation.c_str(),
-                     static_cast<unsigned long long>(summary.frames));
-        return kFailed;
-    }
-    return kDone;
+    return exitCodeOf(cli, summary);
 }
 
 int mainOf(int argc, char** argv)
@@ -220,12 +220,7 @@ int mainOf(int argc, char** argv)
     {
         app.parse(argc, argv);
         const vdamf::Configuration configuration = configurationOf(cli);
-        if (cli.printConfig)
-        {
-            std::cout << vdamf::toIni(configuration);
-            return kDone;
-        }
-        job = jobOf(cli);
+        if (!cli.printConfig) job = jobOf(cli);
         job.configuration = configuration;
     }
     catch (const CLI::ParseError& error)
@@ -237,7 +232,12 @@ int mainOf(int argc, char** argv)
         std::fprintf(stderr, "vdamf-track: %s\n", error.what());
         return kBadUse;
     }
-    return run(cli, job);
+    if (!cli.printConfig) return run(cli, job);
+    using vdamf::OutputFile;
+    OutputFile printed("/dev/stdout", OutputFile::Existing::Refuse, OutputFile::Unfinished::Keep);
+    printed.write(toIni(job.configuration));
+    printed.commit();
+    return kDone;
 }
 }  // namespace
 

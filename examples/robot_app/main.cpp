@@ -3,6 +3,7 @@
 // observations come from a rawlog; in a robot they come from its sensors.
 #include <cstdio>
 #include <exception>
+#include <stdexcept>
 
 #include <mrpt/obs/CObservation.h>
 
@@ -11,6 +12,35 @@
 #include "vdamf/rawlog/scan.h"
 #include "vdamf/rawlog/world_frame.h"
 #include "vdamf/tracking/tracker/tracker.h"
+
+namespace
+{
+void report(const vdamf::FrameResult& frame)
+{
+    for (const vdamf::TrackReport& track : frame.tracks)
+    {
+        if (track.status != vdamf::TrackStatus::Confirmed || track.speed < 3.0) continue;
+        std::printf("%.2f track %llu at (%.1f, %.1f) heading %.0f deg, %.1f m/s\n", frame.time,
+                    static_cast<unsigned long long>(track.id), track.box.x, track.box.y,
+                    track.box.heading * 180.0 / vdamf::kPi, track.speed);
+    }
+}
+
+// Takes one observation of whatever kind.
+void process(const mrpt::obs::CObservation& observation, vdamf::InsTrajectory& ins,
+             vdamf::Tracker& tracker)
+{
+    constexpr double kPosesKept = 10.0;  // s
+    ins.insert(observation);
+    const auto scan = vdamf::scanFrom(observation);
+    if (!scan) return;
+    const auto pose = ins.at(scan->time);
+    if (!pose) return;
+    report(tracker.process(vdamf::toLadarFrame(*scan, *pose)));
+    // The trajectory must not grow as long as the robot runs.
+    ins.forgetBefore(scan->time - kPosesKept);
+}
+}  // namespace
 
 int main(int argc, char** argv)
 try
@@ -29,18 +59,17 @@ try
     {
         const auto observation = std::dynamic_pointer_cast<mrpt::obs::CObservation>(entry->object);
         if (!observation) continue;
-        ins.insert(*observation);
-        const auto scan = vdamf::scanFrom(*observation);
-        if (!scan) continue;
-        const auto pose = ins.at(scan->time);
-        if (!pose) continue;
-        const vdamf::FrameResult frame = tracker.process(vdamf::toLadarFrame(*scan, *pose));
-        for (const vdamf::TrackReport& track : frame.tracks)
+        try
         {
-            if (track.status != vdamf::TrackStatus::Confirmed || track.speed < 3.0) continue;
-            std::printf("%.2f track %llu at (%.1f, %.1f) heading %.0f deg, %.1f m/s\n", frame.time,
-                        static_cast<unsigned long long>(track.id), track.box.x, track.box.y,
-                        track.box.heading * 180.0 / vdamf::kPi, track.speed);
+            process(*observation, ins, tracker);
+        }
+        catch (const std::invalid_argument& error)  // a scan that came too late
+        {
+            std::fprintf(stderr, "scan skipped: %s\n", error.what());
+        }
+        catch (const std::runtime_error& error)  // a scan that cannot be read
+        {
+            std::fprintf(stderr, "scan skipped: %s\n", error.what());
         }
     }
     return 0;

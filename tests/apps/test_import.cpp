@@ -69,6 +69,20 @@ TEST_F(ImportAppTest, AFailedJobSaysWhy)
     EXPECT_EQ(import("kitti-raw '" + drive_.folder().string() + "' -o /none/o").exitCode, 1);
 }
 
+TEST_F(ImportAppTest, WritesToTheStandardOutput)
+{
+    ASSERT_EQ(import(arguments()).exitCode, 0);
+    const std::string app = VDAMF_APPS_DIR "/vdamf-import kitti-raw '" + drive_.folder().string();
+    const Outcome run = runShell(app + "' -o " + at("p.rawlog").string() +
+                                 " --truth /dev/stdout > " + at("printed.csv").string());
+    EXPECT_EQ(run.exitCode, 0);
+    EXPECT_THAT(run.output, HasSubstr("labels      5 of 2 objects"));
+    EXPECT_EQ(contentOf("printed.csv"), contentOf("truth.csv"));
+    const Outcome full = runShell(app + "' -o " + at("q.rawlog").string() + " > /dev/full");
+    EXPECT_EQ(full.exitCode, 1);
+    EXPECT_THAT(full.output, HasSubstr("vdamf-import: cannot write to the standard output"));
+}
+
 TEST_F(ImportAppTest, ABadCommandLineIsTwo)
 {
     for (const char* bad : {"", "kitti", "kitti-raw", "kitti-raw drive", "kitti-raw -o o",
@@ -77,7 +91,15 @@ TEST_F(ImportAppTest, ABadCommandLineIsTwo)
     {
         EXPECT_EQ(import(bad).exitCode, 2) << bad;
     }
-    EXPECT_THAT(import("kitti-raw drive").output, HasSubstr("--output is required"));
+    EXPECT_THAT(import("kitti-raw drive").output, HasSubstr("vdamf-import: --output is required"));
+    EXPECT_THAT(import("--nonsense").output, ::testing::StartsWith("vdamf-import: "));
+    const std::string drive = "kitti-raw '" + drive_.folder().string() + "' -o ";
+    EXPECT_THAT(import(drive + "-").output, HasSubstr("/dev/stdout"));
+    EXPECT_EQ(import(drive + "-").exitCode, 2);
+    std::filesystem::create_symlink("one", at("other"));
+    const Outcome twice = import(drive + at("one").string() + " --truth " + at("other").string());
+    EXPECT_EQ(twice.exitCode, 2);
+    EXPECT_THAT(twice.output, HasSubstr("cannot be the same file"));
 }
 
 TEST_F(ImportAppTest, HelpAndVersion)
@@ -85,9 +107,12 @@ TEST_F(ImportAppTest, HelpAndVersion)
     const Outcome help = import("--help");
     EXPECT_EQ(help.exitCode, 0);
     EXPECT_THAT(help.output, HasSubstr("kitti-raw"));
-    EXPECT_THAT(help.output, HasSubstr("Example:"));
+    EXPECT_THAT(help.output, HasSubstr("Examples:"));
+    EXPECT_THAT(help.output, HasSubstr("vdamf-track -i drive_0001.rawlog"));
     EXPECT_EQ(import("kitti-raw --help").exitCode, 0);
+    EXPECT_THAT(import("kitti-raw --help").output, HasSubstr("Example:"));
     EXPECT_EQ(import("--version").exitCode, 0);
+    EXPECT_THAT(import("--version").output, ::testing::MatchesRegex("vdamf-import [0-9.]+\n"));
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include "vdamf/evaluation/box_overlap.h"
 #include "vdamf/evaluation/tables.h"
 #include "vdamf/rawlog/rawlog_reader.h"
+#include "vdamf/tracking/types/geometry.h"
 
 namespace vdamf
 {
@@ -56,6 +57,7 @@ protected:
                                at("out.rawlog").string() + " --tracks " + at("t.csv").string());
         ASSERT_EQ(tracked.exitCode, 0) << tracked.output;
         std::printf("%s\n%s", drive.c_str(), tracked.output.c_str());
+        EXPECT_THAT(tracked.output, testing::HasSubstr("NIS of updates"));
         score();
     }
 
@@ -69,7 +71,14 @@ protected:
         for (const TruthRow& truth : readTruth(at("truth.csv")))
         {
             firstTime_ = firstTime_ == 0.0 ? truth.time : std::min(firstTime_, truth.time);
+            ASSERT_TRUE(truth.sensor);
             if (truth.points < kMinHits) continue;
+            // Labels are of what the camera ahead saw.
+            const Eigen::Vector2d away =
+                truth.box.centre() - Eigen::Vector2d(truth.sensor->x, truth.sensor->y);
+            EXPECT_LT(away.norm(), 80.0);
+            EXPECT_LT(std::abs(wrapAngle(std::atan2(away.y(), away.x()) - truth.sensor->heading)),
+                      0.4 * kPi);
             ObjectScore& object = objects_[truth.objectClass + " " + truth.objectId];
             ++object.boxes;
             object.truthSpeed += truth.speed;

@@ -190,7 +190,7 @@ TEST_F(Track, ReadsActionsAndSensoryFrames)
     const std::string shared = contentOf("o.csv");
     EXPECT_EQ(contentOf("p.csv").substr(0, shared.size()), shared);
     const Contents log(at("p.rawlog"));
-    EXPECT_TRUE(log.as<mrpt::obs::CActionCollection>(1));
+    EXPECT_EQ(log.entries[1].kind, RawlogEntry::Kind::Action);
     EXPECT_TRUE(log.as<mrpt::obs::CSensoryFrame>(2));
     EXPECT_TRUE(log.as<mrpt::obs::CObservationRawDAQ>(3));
 }

@@ -235,5 +235,35 @@ TEST_F(IniFileTest, LoadsAndNamesTheFile)
     EXPECT_THAT(errorOf([&] { IniDocument::load(at("")); }), HasSubstr("this is a folder"));
 }
 
+TEST(Ini, LinesMayEndWithCarriageReturns)
+{
+    const std::string text = "[paint]\n# a remark\ngap_m = 0.5\n\ncount = 7\nglossy = no\n";
+    for (const char* end : {"\n", "\r\n", "\r"})
+    {
+        std::string other;
+        for (const char c : text) other += c == '\n' ? std::string(end) : std::string(1, c);
+        EXPECT_THAT(errorOf([&] { read(IniDocument::parse(other, "a.ini")); }),
+                    ::testing::StartsWith("a.ini:6: paint.glossy"));
+        const std::string good = other.substr(0, other.find("glossy"));
+        const PaintOptions options = read(IniDocument::parse(good, "a.ini"));
+        EXPECT_EQ(options.gap, 0.5);
+        EXPECT_EQ(options.count, 7);
+    }
+}
+
+TEST(Ini, ChecksValuesAgainstEachOther)
+{
+    const IniDocument document = IniDocument::parse("[paint]\ngap_n = 1\n", "a.ini");
+    IniReader reader(document);
+    PaintOptions options;
+    reader.read("paint", options);
+    reader.require(options.gap < 1.0, "this holds");
+    reader.require(options.gap > 1.0, "paint.gap_m = 0.4 must be above paint.room_m = 1");
+    const std::string error = errorOf([&] { reader.finish(); });
+    EXPECT_THAT(error, HasSubstr("a.ini: paint.gap_m = 0.4 must be above paint.room_m = 1"));
+    EXPECT_THAT(error, HasSubstr("gap_n"));
+    EXPECT_THAT(error, ::testing::Not(HasSubstr("this holds")));
+}
+
 }  // namespace
 }  // namespace vdamf

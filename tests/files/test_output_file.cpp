@@ -2,6 +2,8 @@
 // An output file appears whole or not at all, and every failure is reported.
 #include <gmock/gmock.h>
 
+#include <cstdio>
+
 #include "temporary_folder.h"
 #include "vdamf/files/output_file.h"
 
@@ -42,13 +44,102 @@ TEST_F(OutputFileTest, KeepLeavesThePartial)
     EXPECT_EQ(contentOf("out.partial"), "so far");
 }
 
-TEST_F(OutputFileTest, ReplacesAnOldPartial)
+TEST_F(OutputFileTest, NothingWrittenLeavesNothing)
+{
+    OutputFile(at("out"), Existing::Refuse, Unfinished::Keep);
+    EXPECT_EQ(filesInFolder(), 0U);
+}
+
+TEST_F(OutputFileTest, RefusesWhatAnInterruptedRunSaved)
 {
     make("out.partial", "a longer text of an earlier run");
+    const std::string error =
+        errorOf([&] { OutputFile(at("out"), Existing::Refuse, Unfinished::Discard); });
+    EXPECT_THAT(error, HasSubstr("out.partial: holds what an interrupted run saved"));
+    EXPECT_THAT(error, HasSubstr("--overwrite"));
+    EXPECT_EQ(contentOf("out.partial"), "a longer text of an earlier run");
+    OutputFile file(at("out"), Existing::Overwrite, Unfinished::Discard);
+    file.write("new");
+    file.commit();
+    EXPECT_EQ(contentOf("out"), "new");
+    EXPECT_EQ(filesInFolder(), 1U);
+}
+
+TEST_F(OutputFileTest, TakesAnEmptyPartial)
+{
+    make("out.partial", "");
     OutputFile file(at("out"), Existing::Refuse, Unfinished::Discard);
     file.write("new");
     file.commit();
     EXPECT_EQ(contentOf("out"), "new");
+}
+
+TEST_F(OutputFileTest, WritesThroughSymbolicLinks)
+{
+    make("real/out", "old");
+    std::filesystem::create_symlink("real/out", at("near"));
+    std::filesystem::create_symlink(at("near"), at("link"));
+    EXPECT_THAT(errorOf([&] { OutputFile(at("link"), Existing::Refuse, Unfinished::Discard); }),
+                HasSubstr("exists already"));
+    OutputFile file(at("link"), Existing::Overwrite, Unfinished::Discard);
+    EXPECT_EQ(file.partialPath().filename(), "out.partial");
+    EXPECT_EQ(file.partialPath(), partialPathOf(at("link")));
+    file.write("new");
+    EXPECT_EQ(contentOf("real/out"), "old");
+    file.commit();
+    EXPECT_EQ(contentOf("real/out"), "new");
+    EXPECT_TRUE(std::filesystem::is_symlink(at("link")));
+    EXPECT_TRUE(std::filesystem::is_symlink(at("near")));
+    EXPECT_EQ(filesInFolder(), 3U);
+}
+
+TEST_F(OutputFileTest, WritesThroughALinkToNothing)
+{
+    std::filesystem::create_symlink("new", at("link"));
+    std::filesystem::create_symlink("gone/new", at("astray"));
+    std::filesystem::create_symlink("loop", at("loop"));
+    OutputFile file(at("link"), Existing::Refuse, Unfinished::Discard);
+    file.write("text");
+    file.commit();
+    EXPECT_EQ(contentOf("new"), "text");
+    EXPECT_TRUE(std::filesystem::is_symlink(at("link")));
+    const auto errorFor = [&](const char* name)
+    { return errorOf([&] { OutputFile(at(name), Existing::Refuse, Unfinished::Discard); }); };
+    EXPECT_THAT(errorFor("astray"), HasSubstr("there is no folder"));
+    EXPECT_THAT(errorFor("loop"), HasSubstr("too many symbolic links"));
+}
+
+TEST_F(OutputFileTest, KnowsTheNamesOfOneFile)
+{
+    make("out", "");
+    std::filesystem::create_symlink("out", at("link"));
+    std::filesystem::create_symlink("new", at("ahead"));
+    EXPECT_TRUE(sameFile(at("out"), at("link")));
+    EXPECT_TRUE(sameFile(at("new"), at("ahead")));
+    EXPECT_TRUE(sameFile(at("new"), at(".") / "new"));
+    EXPECT_FALSE(sameFile(at("out"), at("new")));
+}
+
+TEST_F(OutputFileTest, WritesToDescriptorsDirectly)
+{
+    const std::filesystem::path path = make("redirected", "");
+    std::FILE* opened = std::fopen(path.c_str(), "w");
+    ASSERT_NE(opened, nullptr);
+    const std::string name = "/dev/fd/" + std::to_string(::fileno(opened));
+    {
+        OutputFile file(name, Existing::Refuse, Unfinished::Discard);
+        file.write("one,");
+        file.commit();
+    }
+    std::fputs("two", opened);
+    std::fclose(opened);
+    EXPECT_EQ(contentOf("redirected"), "one,two");
+    EXPECT_TRUE(isStandardOutput("/dev/stdout"));
+    EXPECT_TRUE(isStandardOutput("/dev/fd/1"));
+    EXPECT_FALSE(isStandardOutput(name));
+    EXPECT_FALSE(isStandardOutput(path));
+    EXPECT_THAT(errorOf([] { OutputFile("/dev/fd/987", Existing::Refuse, Unfinished::Keep); }),
+                HasSubstr("/dev/fd/987: cannot open"));
 }
 
 TEST_F(OutputFileTest, RefusesAnExistingFile)

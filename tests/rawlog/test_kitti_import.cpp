@@ -189,6 +189,15 @@ TEST_F(KittiImportTest, TruthIsInTheWorld)
     EXPECT_NEAR(rows[4].box.y, 18.0, 1e-4);
     EXPECT_NEAR(rows[4].speed, 10.0, 1e-2);
     EXPECT_NEAR(rows[4].time, 1317042146.164, 1e-6);
+    // The velodyne, 1 m ahead of the vehicle that heads north by 1 m a scan.
+    const int frames[] = {0, 1, 1, 2, 2};
+    for (std::size_t i = 0; i < rows.size(); ++i)
+    {
+        ASSERT_TRUE(rows[i].sensor) << i;
+        EXPECT_NEAR(rows[i].sensor->x, 0.0, 1e-4);
+        EXPECT_NEAR(rows[i].sensor->y, 1.0 + frames[i], 1e-4);
+        EXPECT_NEAR(rows[i].sensor->heading, std::acos(0.0), 1e-6);
+    }
 }
 
 TEST_F(KittiImportTest, WithoutTruthNoLabelsAreNeeded)

@@ -36,7 +36,7 @@ protected:
             std::string letters;
             for (const RawlogEntry& entry : entries)
             {
-                letters += "ONUD"[static_cast<int>(entry.kind)];
+                letters += "ONUDA"[static_cast<int>(entry.kind)];
             }
             return letters;
         }

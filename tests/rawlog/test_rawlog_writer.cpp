@@ -109,6 +109,7 @@ TEST_F(RawlogWriterTest, KeepsWhatWasWrittenWhereAsked)
     {
         RawlogWriter::Options options = withThreads(2);
         options.unfinished = unfinished;
+        options.existing = OutputFile::Existing::Overwrite;
         {
             RawlogWriter writer(at("out.rawlog"), options);
             writeObjects(writer);

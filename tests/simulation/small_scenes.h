@@ -34,7 +34,7 @@ inline LadarMount idealMount()
 inline std::vector<LadarFiring> cast(const Scene& scene, const LadarMount& mount, double time = 0.0)
 {
     RandomStream random(3, 0);
-    return castRevolution(scene, mount, time, random);
+    return castScan(scene, mount, time, random);
 }
 
 }  // namespace vdamf

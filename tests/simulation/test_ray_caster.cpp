@@ -136,7 +136,7 @@ TEST(RayCaster, RangeNoiseHasItsStandardDeviation)
 TEST(RayCaster, GroundReturnsFadeWithRangeAndEndAtTheMaximum)
 {
     LadarMount mount = idealMount();
-    mount.halfLossStrength = 0.001;
+    mount.halfLossStrength = 0.01;
     mount.ladar.maxRange = 60.0;
     int near = 0;
     int far = 0;

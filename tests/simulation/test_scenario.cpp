@@ -66,11 +66,13 @@ bool operator==(const LadarReturn& a, const LadarReturn& b)
 
 bool sameReturns(const SimulatedFrame& a, const SimulatedFrame& b)
 {
-    if (a.firings.size() != b.firings.size()) return false;
-    for (std::size_t i = 0; i < a.firings.size(); ++i)
+    const std::vector<LadarFiring>& first = a.scans.at(0).firings;
+    const std::vector<LadarFiring>& second = b.scans.at(0).firings;
+    if (first.size() != second.size()) return false;
+    for (std::size_t i = 0; i < first.size(); ++i)
     {
-        const auto& x = a.firings[i].returns;
-        const auto& y = b.firings[i].returns;
+        const auto& x = first[i].returns;
+        const auto& y = second[i].returns;
         for (std::size_t k = 0; k < x.size(); ++k)
         {
             if (!(x[k] == y[k])) return false;
@@ -83,9 +85,9 @@ TEST(Scenario, KeysAreRead)
 {
     const Scenario scenario = scenarioOf(kSmall);
     EXPECT_EQ(scenario.frames(), 10);
-    EXPECT_EQ(scenario.mount.ladar.elevations.size(), 16U);
-    EXPECT_EQ(scenario.mount.position.z(), 1.8);
-    EXPECT_TRUE(scenario.mount.instantaneous);
+    EXPECT_EQ(scenario.sensors.at(0).mount.ladar.elevations.size(), 16U);
+    EXPECT_EQ(scenario.sensors.at(0).mount.position.z(), 1.8);
+    EXPECT_TRUE(scenario.sensors.at(0).mount.instantaneous);
     ASSERT_EQ(scenario.scene.objects.size(), 2U);
     EXPECT_EQ(scenario.scene.objects[0].name, "ahead");
     EXPECT_EQ(scenario.scene.objects[1].objectClass, ObjectClass::Bush);
@@ -101,6 +103,7 @@ TEST(Scenario, SensorKeysReachTheMount)
                                  "y_m = -2\nz_m = 3\nheading_deg = 90\nfield_of_view_deg = 180\n"
                                  "range_noise_m = 0.05\nmax_range_m = 40\nglass_loss = 0.5\n"
                                  "half_loss_strength = 0.01\ninstantaneous = false\n")
+                                 .sensors.at(0)
                                  .mount;
     EXPECT_EQ(mount.ladar.elevations.size(), 64U);
     EXPECT_EQ(mount.position, Eigen::Vector3d(1, -2, 3));
@@ -112,7 +115,7 @@ TEST(Scenario, SensorKeysReachTheMount)
     EXPECT_EQ(mount.glassLoss, 0.5);
     EXPECT_EQ(mount.halfLossStrength, 0.01);
     EXPECT_FALSE(mount.instantaneous);
-    EXPECT_EQ(scenarioOf("[sensor]\nmodel = VLP-16\n").mount.ladar.maxRange, 100.0);
+    EXPECT_EQ(scenarioOf("[sensor]\nmodel = VLP-16\n").sensors.at(0).mount.ladar.maxRange, 100.0);
 }
 
 TEST(Scenario, FramesBeginInsideTheDuration)
@@ -193,7 +196,7 @@ TEST(Scenario, BadSegmentsAndSizesAreNamed)
         "[platform]\nspeed_mps = 3\nsegments = 1 0 0, 2 0\n"
         "[object tiny]\nclass = car\nlength_m = 1\n[object a,b]\nclass = pole\n");
     EXPECT_THAT(error, HasSubstr("small.ini:3: platform.segments: segment 2 is '2 0'"));
-    EXPECT_THAT(error, HasSubstr("small.ini:6: object tiny.length_m: a vehicle is at least"));
+    EXPECT_THAT(error, HasSubstr("small.ini:6: object tiny.length_m: a car is at least"));
     EXPECT_THAT(error, HasSubstr("small.ini:8: object a,b"));
 }
 

@@ -119,6 +119,22 @@ TEST(Shapes, CylinderAgreesWithMarch)
                });
 }
 
+TEST(Shapes, WheelAgreesWithMarch)
+{
+    const Wheel wheel{{0.2, -0.1, 0.3}, 0.8, 0.9, Material::Rubber};
+    const auto inside = [&](const Eigen::Vector3d& p)
+    {
+        const Eigen::Vector3d d = p - wheel.centre;
+        return std::hypot(d.x(), d.z()) <= wheel.radius && std::abs(d.y()) <= 0.5 * wheel.width;
+    };
+    expectSame(inside,
+               [&](const Ray& ray)
+               {
+                   const auto hit = intersect(wheel, ray);
+                   return hit ? hit->range : -1.0;
+               });
+}
+
 TEST(Shapes, EllipsoidAgreesWithMarch)
 {
     const Ellipsoid ellipsoid{{0.1, 0.2, -0.1}, {1.0, 0.5, 0.7}};

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "csv_line.h"
+#include "row_order.h"
 #include "vdamf/evaluation/tables.h"
 #include "vdamf/files/csv.h"
 
@@ -235,7 +236,12 @@ std::vector<TrackRow> readTracks(const std::filesystem::path& path)
 {
     CsvReader reader(path, trackColumns());
     std::vector<TrackRow> rows;
-    while (reader.next()) rows.push_back({reader.number("time_s"), reportOf(reader)});
+    RowOrder<std::uint64_t> order;
+    while (reader.next())
+    {
+        rows.push_back({reader.number("time_s"), reportOf(reader)});
+        order.check(reader, rows.back().time, rows.back().report.id, "track_id");
+    }
     return rows;
 }
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <limits>
+#include <set>
 #include <stdexcept>
 
 #include "csv_line.h"
+#include "row_order.h"
 #include "vdamf/evaluation/tables.h"
 #include "vdamf/files/csv.h"
 
@@ -92,6 +94,12 @@ const std::vector<std::string>& truthClasses()
     return kClasses;
 }
 
+bool isVehicleClass(const std::string& objectClass)
+{
+    static const std::set<std::string> kVehicles = {"Car", "Van", "Truck", "Tram", "Bus"};
+    return kVehicles.count(objectClass) > 0;
+}
+
 const std::vector<std::string>& truthColumns()
 {
     static const std::vector<std::string> kColumns = {
@@ -121,7 +129,12 @@ std::vector<TruthRow> readTruth(const std::filesystem::path& path)
 {
     CsvReader reader(path, truthColumns());
     std::vector<TruthRow> rows;
-    while (reader.next()) rows.push_back(rowOf(reader));
+    RowOrder<std::string> order;
+    while (reader.next())
+    {
+        rows.push_back(rowOf(reader));
+        order.check(reader, rows.back().time, rows.back().objectId, "object_id");
+    }
     return rows;
 }
 

@@ -114,9 +114,10 @@ IniDocument IniDocument::parse(std::string_view text, std::string fileName)
     Parser parser(fileName);
     while (!text.empty())
     {
-        const std::size_t end = std::min(text.find('\n'), text.size());
+        const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
         parser.take(text.substr(0, end));
-        text.remove_prefix(std::min(end + 1, text.size()));
+        const std::size_t mark = text.substr(end, 2) == "\r\n" ? 2 : 1;
+        text.remove_prefix(std::min(end + mark, text.size()));
     }
     IniDocument document;
     document.sections_ = std::move(parser).sections();

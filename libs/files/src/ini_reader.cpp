@@ -132,6 +132,11 @@ void IniReader::findUnknown()
     }
 }
 
+void IniReader::require(bool condition, const std::string& problem)
+{
+    if (!condition) problems_.push_back(document_.fileName() + ": " + problem);
+}
+
 void IniReader::finish()
 {
     findUnknown();

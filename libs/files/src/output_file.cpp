@@ -7,11 +7,16 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdint>
 #include <cstdio>
+#include <limits>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <system_error>
 #include <utility>
+
+#include "vdamf/files/numbers.h"
 
 namespace vdamf
 {
@@ -38,6 +43,33 @@ namespace fs = std::filesystem;
 bool isDevice(const fs::file_status& status)
 {
     return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
+}
+
+// Of an open file of this process: renaming something to such a name would replace the name.
+std::optional<int> descriptorNamed(const fs::path& path)
+{
+    if (path == "/dev/stdout") return STDOUT_FILENO;
+    if (path == "/dev/stderr") return STDERR_FILENO;
+    const std::string folder = path.parent_path().string();
+    if (folder != "/dev/fd" && folder != "/proc/self/fd") return std::nullopt;
+    const std::optional<std::int64_t> number = parseInteger(path.filename().string());
+    if (!number || *number < 0 || *number > std::numeric_limits<int>::max()) return std::nullopt;
+    return static_cast<int>(*number);
+}
+
+// The file that a chain of symbolic links leads to, whether it exists or not.
+fs::path withoutLinks(fs::path path)
+{
+    constexpr int kLongestChain = 40;  // as the system has it
+    std::error_code error;
+    for (int links = 0; fs::is_symlink(fs::symlink_status(path, error)); ++links)
+    {
+        if (links == kLongestChain) fail(path, "too many symbolic links");
+        const fs::path next = fs::read_symlink(path, error);
+        if (error) fail(path, "cannot follow the link: " + error.message());
+        path = path.parent_path() / next;  // `next` alone where it is absolute
+    }
+    return path;
 }
 
 void checkTarget(const fs::path& path, OutputFile::Existing existing)
@@ -79,9 +111,15 @@ bool isStillNamed(int descriptor, const fs::path& path)
            ofDescriptor.st_ino == ofPath.st_ino && ofDescriptor.st_dev == ofPath.st_dev;
 }
 
+bool holdsBytes(int descriptor)
+{
+    struct stat status = {};
+    return ::fstat(descriptor, &status) == 0 && status.st_size > 0;
+}
+
 // The lock keeps a second process from emptying a file that the first is about to rename. Between
 // our open and our lock the first may have renamed it: then the descriptor is not ours to empty.
-int openPartial(const fs::path& partial)
+int openPartial(const fs::path& partial, OutputFile::Existing existing)
 {
     for (;;)
     {
@@ -93,6 +131,13 @@ int openPartial(const fs::path& partial)
         }
         if (isStillNamed(descriptor, partial))
         {
+            if (existing == OutputFile::Existing::Refuse && holdsBytes(descriptor))
+            {
+                ::close(descriptor);
+                fail(partial,
+                     "holds what an interrupted run saved; rename or remove it, or use --overwrite "
+                     "to replace it");
+            }
             if (::ftruncate(descriptor, 0) == 0) return descriptor;
             const int error = errno;
             ::close(descriptor);
@@ -129,32 +174,62 @@ void renameChecked(const fs::path& from, const fs::path& to, OutputFile::Existin
 }
 }  // namespace
 
+fs::path partialPathOf(const fs::path& path)
+{
+    std::error_code ignored;
+    if (descriptorNamed(path) || isDevice(fs::status(path, ignored))) return path;
+    fs::path partial = withoutLinks(path);
+    partial += ".partial";
+    return partial;
+}
+
+bool sameFile(const fs::path& a, const fs::path& b)
+{
+    std::error_code error;
+    if (fs::equivalent(a, b, error)) return true;
+    return fs::weakly_canonical(withoutLinks(a), error) ==
+           fs::weakly_canonical(withoutLinks(b), error);
+}
+
+bool isStandardOutput(const fs::path& path)
+{
+    return descriptorNamed(path) == STDOUT_FILENO;
+}
+
 OutputFile::OutputFile(fs::path path, Existing existing, Unfinished unfinished)
     : path_(std::move(path)), existing_(existing), unfinished_(unfinished)
 {
-    checkTarget(path_, existing_);
-    std::error_code ignored;
-    if (isDevice(fs::status(path_, ignored)))
+    if (const std::optional<int> named = descriptorNamed(path_))
     {
         partialPath_ = path_;
+        descriptor_ = ::fcntl(*named, F_DUPFD_CLOEXEC, 0);
+        if (descriptor_ < 0) failWithErrno(path_, "cannot open for writing", errno);
+        return;
+    }
+    checkTarget(path_, existing_);
+    partialPath_ = partialPathOf(path_);
+    if (partialPath_ == path_)
+    {
         descriptor_ = openRetrying(path_, 0);
         return;
     }
-    partialPath_ = path_;
-    partialPath_ += ".partial";
-    descriptor_ = openPartial(partialPath_);
+    target_ = withoutLinks(path_);
+    checkTarget(target_, existing_);
+    descriptor_ = openPartial(partialPath_, existing_);
 }
 
 OutputFile::~OutputFile()
 {
     const bool ownsPartial = !committed_ && partialPath_ != path_;
     // Removed while the lock is still held, so that it cannot be the file of another run.
-    if (ownsPartial && unfinished_ == Unfinished::Discard) ::unlink(partialPath_.c_str());
+    if (ownsPartial && (empty_ || unfinished_ == Unfinished::Discard))
+        ::unlink(partialPath_.c_str());
     if (descriptor_ >= 0) ::close(descriptor_);
 }
 
 void OutputFile::write(std::string_view bytes)
 {
+    empty_ = empty_ && bytes.empty();
     while (!bytes.empty())
     {
         const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
@@ -167,7 +242,7 @@ void OutputFile::write(std::string_view bytes)
 void OutputFile::commit()
 {
     syncChecked(descriptor_, partialPath_);
-    if (partialPath_ != path_) renameChecked(partialPath_, path_, existing_);
+    if (partialPath_ != path_) renameChecked(partialPath_, target_, existing_);
     committed_ = true;
     const int descriptor = std::exchange(descriptor_, -1);
     if (::close(descriptor) != 0 && errno != EINTR) failWithErrno(path_, "cannot close", errno);

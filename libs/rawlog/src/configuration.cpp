@@ -1,8 +1,33 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vdamf/rawlog/configuration.h"
 
+#include "vdamf/files/numbers.h"
+
 namespace vdamf
 {
+namespace
+{
+// Limits whose ranges touch.
+void checkLimits(IniReader& reader, const TrackerOptions& tracker)
+{
+    const auto below = [&reader](double low, const std::string& lowKey, double high,
+                                 const std::string& highKey, bool mayBeEqual = false)
+    {
+        reader.require(low < high || (mayBeEqual && low == high),
+                       lowKey + " = " + toText(low) + " must " +
+                           (mayBeEqual ? "not be above " : "be below ") + highKey + " = " +
+                           toText(high));
+    };
+    const GroundOptions& ground = tracker.ground;
+    below(ground.minRange, "ground.min_range_m", ground.maxRange, "ground.max_range_m");
+    below(ground.minHeight, "ground.min_height_m", ground.maxHeight, "ground.max_height_m");
+    below(ground.minSensorHeight, "ground.min_sensor_height_m", ground.maxSensorHeight,
+          "ground.max_sensor_height_m");
+    below(tracker.clustering.gap, "clustering.gap_m", tracker.clustering.maxGap,
+          "clustering.max_gap_m", true);
+}
+}  // namespace
+
 Configuration readConfiguration(const IniDocument& document)
 {
     Configuration c;
@@ -17,6 +42,7 @@ Configuration readConfiguration(const IniDocument& document)
     reader.read("motion", c.tracker.motion);
     reader.read("lifecycle", c.tracker.lifecycle);
     reader.read("output", c.output);
+    checkLimits(reader, c.tracker);
     reader.finish();
     return c;
 }

@@ -24,15 +24,6 @@ RawlogWriter::Options writerOptions(const KittiImport& job)
     return options;
 }
 
-void checkNames(const KittiImport& job)
-{
-    if (job.truth && fs::weakly_canonical(*job.truth) == fs::weakly_canonical(job.rawlog))
-    {
-        throw std::runtime_error(job.rawlog.string() +
-                                 ": the rawlog and the truth cannot be the same file");
-    }
-}
-
 std::vector<KittiTracklet> trackletsOf(const KittiDrive& drive)
 {
     const fs::path path = drive.folder / "tracklet_labels.xml";
@@ -134,9 +125,20 @@ private:
 };
 }  // namespace
 
+void checkPaths(const KittiImport& job)
+{
+    if (!job.truth) return;
+    const bool same = sameFile(*job.truth, job.rawlog) ||
+                      sameFile(*job.truth, partialPathOf(job.rawlog)) ||
+                      sameFile(partialPathOf(*job.truth), job.rawlog);
+    if (same)
+        throw std::runtime_error(job.rawlog.string() +
+                                 ": the rawlog and the truth cannot be the same file");
+}
+
 KittiImportSummary importKittiDrive(const KittiImport& job)
 {
-    checkNames(job);
+    checkPaths(job);
     return Importer(job).run();
 }
 

@@ -10,10 +10,19 @@ namespace vdamf
 {
 namespace
 {
-using PoseOfFrame = std::vector<std::optional<Eigen::Isometry3d>>;
+struct FramePose
+{
+    Eigen::Isometry3d velodyne;  // in the world
+    PlanePose sensor;            // where it is, and which way the vehicle heads
+};
+using PoseOfFrame = std::vector<std::optional<FramePose>>;
 
-// Of the velodyne in the world at each scan.
-PoseOfFrame velodynePoses(const KittiDrive& drive, const InsTrajectory& trajectory)
+double headingOf(const Eigen::Vector3d& forward)
+{
+    return std::atan2(forward.y(), forward.x());
+}
+
+PoseOfFrame posesOf(const KittiDrive& drive, const InsTrajectory& trajectory)
 {
     PoseOfFrame poses;
     for (const KittiScanFile& scan : drive.scans)
@@ -27,23 +36,27 @@ PoseOfFrame velodynePoses(const KittiDrive& drive, const InsTrajectory& trajecto
         Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
         pose.linear() = vehicle->attitude.toRotationMatrix();
         pose.translation() = vehicle->position;
-        poses.emplace_back(pose * drive.velodyneInVehicle);
+        const Eigen::Isometry3d velodyne = pose * drive.velodyneInVehicle;
+        const Eigen::Vector3d at = velodyne.translation();
+        poses.push_back(FramePose{
+            velodyne, {at.x(), at.y(), headingOf(pose.linear() * Eigen::Vector3d::UnitX())}});
     }
     return poses;
 }
 
 TruthRow truthOf(const KittiTracklet& tracklet, const KittiTrackletPose& pose,
-                 const Eigen::Isometry3d& velodyne)
+                 const FramePose& frame)
 {
-    const Eigen::Vector3d bottom = velodyne * Eigen::Vector3d(pose.x, pose.y, pose.z);
+    const Eigen::Vector3d bottom = frame.velodyne * Eigen::Vector3d(pose.x, pose.y, pose.z);
     const Eigen::Vector3d front =
-        velodyne.linear() * Eigen::Vector3d(std::cos(pose.heading), std::sin(pose.heading), 0.0);
+        frame.velodyne.linear() *
+        Eigen::Vector3d(std::cos(pose.heading), std::sin(pose.heading), 0.0);
     TruthRow row;
     row.objectClass = tracklet.objectClass;
-    row.box = {bottom.x(), bottom.y(), std::atan2(front.y(), front.x()), tracklet.length,
-               tracklet.width};
+    row.box = {bottom.x(), bottom.y(), headingOf(front), tracklet.length, tracklet.width};
     row.z = bottom.z();
     row.height = tracklet.height;
+    row.sensor = frame.sensor;
     return row;
 }
 
@@ -74,15 +87,15 @@ double speedAt(const std::vector<KittiLabel>& labels, std::size_t i)
 
 // Labels of one object by rising frame; frames without a pose are left out.
 std::vector<KittiLabel> labelsOf(const KittiDrive& drive, const KittiTracklet& tracklet,
-                                 const std::string& id, const PoseOfFrame& velodyne)
+                                 const std::string& id, const PoseOfFrame& poses)
 {
     std::vector<KittiLabel> labels;
     for (std::size_t i = 0; i < tracklet.poses.size(); ++i)
     {
         const std::size_t frame = tracklet.firstFrame + i;
-        if (!velodyne.at(frame)) continue;
+        if (!poses.at(frame)) continue;
         KittiLabel label = {frame, tracklet.poses[i],
-                            truthOf(tracklet, tracklet.poses[i], *velodyne[frame])};
+                            truthOf(tracklet, tracklet.poses[i], *poses[frame])};
         label.truth.time = mrpt::Clock::toDouble(drive.scans[frame].time);
         label.truth.objectId = id;
         labels.push_back(label);
@@ -96,11 +109,11 @@ std::vector<KittiLabel> kittiLabels(const KittiDrive& drive,
                                     const std::vector<KittiTracklet>& tracklets,
                                     const InsTrajectory& trajectory)
 {
-    const PoseOfFrame velodyne = velodynePoses(drive, trajectory);
+    const PoseOfFrame poses = posesOf(drive, trajectory);
     std::vector<KittiLabel> all;
     for (std::size_t i = 0; i < tracklets.size(); ++i)
     {
-        const auto labels = labelsOf(drive, tracklets[i], std::to_string(i), velodyne);
+        const auto labels = labelsOf(drive, tracklets[i], std::to_string(i), poses);
         all.insert(all.end(), labels.begin(), labels.end());
     }
     std::stable_sort(all.begin(), all.end(),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "object_header.h"
 
+#include <mrpt/obs/CAction.h>
 #include <mrpt/obs/CActionCollection.h>
 #include <mrpt/obs/CObservation.h>
 #include <mrpt/obs/CRawlog.h>
@@ -111,6 +112,33 @@ bool beginsEntry(std::string_view bytes)
     if (!header || header->isNull() || header->version >= kPlausibleVersion) return false;
     const ClassId* id = readableClass(header->className);
     return id != nullptr && isEntryClass(*id);
+}
+
+bool mayFollowEntry(std::string_view bytes)
+{
+    if (beginsEntry(bytes)) return true;
+    const std::optional<ObjectHeader> header = parseObjectHeader(bytes);
+    if (!header) return false;
+    if (header->isNull()) return true;
+    // Names that chance does not make of numbers.
+    constexpr std::size_t kShortestUnknown = 6;
+    const std::string& name = header->className;
+    const bool looksLikeClass = name.size() >= kShortestUnknown &&
+                                (name.front() == 'C' || name.find("::") != std::string::npos);
+    return looksLikeClass && header->version < kPlausibleVersion && !isReadableClass(name);
+}
+
+bool isAction(const std::string& className)
+{
+    const ClassId* id = readableClass(className);
+    return id != nullptr && (id->derivedFrom(CLASS_ID(mrpt::obs::CAction)) ||
+                             id->derivedFrom(CLASS_ID(mrpt::obs::CActionCollection)));
+}
+
+bool isActionCollection(const std::string& className)
+{
+    const ClassId* id = readableClass(className);
+    return id != nullptr && id->derivedFrom(CLASS_ID(mrpt::obs::CActionCollection));
 }
 
 }  // namespace vdamf

@@ -34,4 +34,12 @@ bool isReadableClass(const std::string& className);
 /// frame, action collection or rawlog, not a part of one.
 bool beginsEntry(std::string_view bytes);
 
+/// True where what stands here may follow an entry: beginsEntry(), a null object, or one of a class
+/// that this MRPT does not know.
+bool mayFollowEntry(std::string_view bytes);
+
+/// An action or a collection of them.
+bool isAction(const std::string& className);
+bool isActionCollection(const std::string& className);
+
 }  // namespace vdamf

@@ -12,9 +12,15 @@ namespace vdamf
 {
 namespace
 {
-constexpr double kLookAhead = 1.0;                    // s of entries that a scan waits for a pose
-constexpr double kPlausible = 600.0;                  // s
-constexpr std::size_t kLookAheadBytes = 256U << 20U;  // and bytes
+constexpr double kLookAhead = 1.0;  // s of entries that a scan waits for a pose
+constexpr double kSorting = 0.2;    // s of entries that it waits for earlier scans
+// It waits for no more than so many bytes and entries, whatever their stamps say.
+constexpr std::size_t kLookAheadBytes = 256U << 20U;
+constexpr std::size_t kLookAheadEntries = 10000;
+// A stamp farther ahead of a scan is a fault of its entry and ends no waiting, unless so many have
+// come that the recording has a gap, or the scan itself the faulty stamp.
+constexpr double kPlausible = 600.0;  // s
+constexpr int kManyFarAhead = 100;
 
 // Observations of an entry: itself, or those of its sensory frame.
 std::vector<mrpt::obs::CObservation::Ptr> observationsOf(const RawlogEntry& entry)
@@ -44,17 +50,21 @@ bool PendingEntries::readOne()
         atEnd_ = true;
         return false;
     }
-    PendingEntry pending{std::move(*entry), {}};
+    PendingEntry pending;
+    pending.entry = std::move(*entry);
     for (const auto& observation : observationsOf(pending.entry))
     {
         if (isAnnotation(*observation)) continue;
         ins_.insert(*observation);
         const bool stamped = observation->timestamp != INVALID_TIMESTAMP;
         const double time = stamped ? mrpt::Clock::toDouble(observation->timestamp) : 0.0;
-        if (stamped) latestTime_ = time;
+        if (stamped) pending.time = std::max(time, pending.time.value_or(time));
         if (!isScan(*observation)) continue;
         if (!scanLabel_.empty() && observation->sensorLabel != scanLabel_) continue;
-        pending.scans.push_back({observation, time, false, {}});
+        if (stamped)
+            pending.scans.push_back({observation, time, false, {}});
+        else
+            ++pending.unstamped;
     }
     // The scans keep what is needed of the object; the bytes serve for the copy.
     pending.entry.object.reset();
@@ -65,36 +75,36 @@ bool PendingEntries::readOne()
 
 bool PendingEntries::mayReadAhead() const
 {
-    return !atEnd_ && bytes_ < kLookAheadBytes;
+    return !atEnd_ && bytes_ < kLookAheadBytes && entries_.size() < kLookAheadEntries;
 }
 
-bool PendingEntries::waitsForPose(const PendingEntry& entry) const
+bool PendingEntries::isReadPast(double time) const
+{
+    int farAhead = 0;
+    for (const PendingEntry& entry : entries_)
+    {
+        if (!entry.time || *entry.time < time) continue;
+        if (*entry.time <= time + kPlausible || ++farAhead >= kManyFarAhead) return true;
+    }
+    return false;
+}
+
+bool PendingEntries::waits(const PendingEntry& entry) const
 {
     return std::any_of(entry.scans.begin(), entry.scans.end(),
                        [this](const PendingScan& scan)
                        {
-                           // A stamp far off the scan's is a fault of its entry and ends no
-                           // waiting.
-                           const double ahead = latestTime_ - scan.time;
-                           return !scan.done && !ins_.covers(scan.time) &&
-                                  (ahead < kLookAhead || ahead > kPlausible);
+                           if (scan.done) return false;
+                           return !isReadPast(scan.time + kSorting) ||
+                                  (!ins_.covers(scan.time) && !isReadPast(scan.time + kLookAhead));
                        });
 }
 
 bool PendingEntries::prepareFirst()
 {
     if (entries_.empty() && !readOne()) return false;
-    while (mayReadAhead() && waitsForPose(entries_.front())) readOne();
+    while (mayReadAhead() && waits(entries_.front())) readOne();
     return true;
-}
-
-PendingScan* PendingEntries::prepareFirstScan()
-{
-    while (mayReadAhead() && (entries_.empty() || entries_.back().scans.empty())) readOne();
-    if (entries_.empty() || entries_.back().scans.empty()) return nullptr;
-    const std::size_t first = entries_.size() - 1;
-    while (mayReadAhead() && waitsForPose(entries_[first])) readOne();
-    return &entries_[first].scans.front();
 }
 
 PendingEntry PendingEntries::popFirst()
@@ -114,6 +124,14 @@ PendingScan* PendingEntries::earliestScanUntil(double time)
                 (earliest == nullptr || scan.time < earliest->time))
                 earliest = &scan;
     return earliest;
+}
+
+bool PendingEntries::holdsAnnotations() const
+{
+    const auto annotated = [](const PendingScan& scan) { return !scan.annotations.empty(); };
+    return std::any_of(entries_.begin(), entries_.end(),
+                       [&](const PendingEntry& entry)
+                       { return std::any_of(entry.scans.begin(), entry.scans.end(), annotated); });
 }
 
 }  // namespace vdamf

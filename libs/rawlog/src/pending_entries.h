@@ -2,8 +2,10 @@
 // Entries of a rawlog on their way from the reader to the tracker and the output.
 #pragma once
 
+#include <cstdint>
 #include <deque>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "vdamf/rawlog/ins_trajectory.h"
@@ -26,38 +28,40 @@ struct PendingEntry
 {
     RawlogEntry entry;
     std::vector<PendingScan> scans;
+    std::uint64_t unstamped = 0;  ///< scans without a time stamp, which are not among `scans`
+    std::optional<double> time;   ///< of what was observed last in it, s (UNIX)
 };
 
 /// Entries in file order, read ahead until the poses reach their scans, so that a scan can be
-/// placed between two poses and scans that stand out of order in the file can be sorted.
+/// placed between two poses, and at least a fixed time, so that scans that stand slightly out of
+/// order in the file can be sorted.
 class PendingEntries
 {
 public:
     PendingEntries(RawlogReader& reader, InsTrajectory& ins, std::string scanLabel);
 
-    /// Reads until the first entry's scans have their poses, or will not get them; false at the
-    /// end of the rawlog.
+    /// Reads until the first entry's scans have their poses, or will not get them, and earlier
+    /// scans behind them; false at the end of the rawlog.
     bool prepareFirst();
-    /// Reads until an entry with scans is there and its scans have their poses, or will not get
-    /// them; nothing if the look-ahead or the rawlog ends before.
-    PendingScan* prepareFirstScan();
     PendingEntry& first() { return entries_.front(); }
     PendingEntry popFirst();
 
     /// The earliest scan that is not done among all entries read that is no later than `time`.
     PendingScan* earliestScanUntil(double time);
+    /// True where an entry has annotations that are not written yet.
+    bool holdsAnnotations() const;
 
 private:
     bool readOne();
     bool mayReadAhead() const;
-    bool waitsForPose(const PendingEntry& entry) const;
+    bool waits(const PendingEntry& entry) const;
+    bool isReadPast(double time) const;
 
     RawlogReader& reader_;
     InsTrajectory& ins_;
     std::string scanLabel_;
     std::deque<PendingEntry> entries_;
     std::size_t bytes_ = 0;
-    double latestTime_ = 0.0;  ///< of the entry read last
     bool atEnd_ = false;
 };
 

@@ -6,6 +6,7 @@
 
 #include <stdexcept>
 
+#include "action_extent.h"
 #include "entry_window.h"
 #include "object_header.h"
 #include "object_parser.h"
@@ -117,6 +118,7 @@ struct RawlogReader::Impl
         switch (entry.kind)
         {
             case RawlogEntry::Kind::Object:
+            case RawlogEntry::Kind::Action:
                 ++summary.objects;
                 return;
             case RawlogEntry::Kind::Null:
@@ -142,11 +144,20 @@ struct RawlogReader::Impl
         if (inGap || !header) return skip(RawlogEntry::Kind::Damaged, "not the begin of an object");
         if (header->isNull()) return readNull(*header);
         if (!isReadableClass(header->className)) return readUnknown(*header);
+        if (isAction(header->className)) return readAction(*header);
         const ParsedObject parsed = parseObject(window);
         if (!parsed.object) return skipUnreadable(*header, parsed);
         RawlogEntry entry = take(RawlogEntry::Kind::Object, parsed.bytes);
         entry.object = parsed.object;
         return entry;
+    }
+
+    RawlogEntry readAction(const ObjectHeader& header)
+    {
+        const ActionExtent extent = actionExtent(window, header);
+        if (extent.whole) return take(RawlogEntry::Kind::Action, extent.bytes);
+        if (extent.reachedEnd) endsInside = header.className;
+        return skip(RawlogEntry::Kind::Damaged, header.className + ": without its end");
     }
 
     RawlogEntry readUnknown(const ObjectHeader& header)
@@ -197,8 +208,8 @@ struct RawlogReader::Impl
 
     void noteTruncation(const std::optional<RawlogEntry>& last)
     {
-        const bool lost = last && last->kind != RawlogEntry::Kind::Object &&
-                          last->kind != RawlogEntry::Kind::Null;
+        const bool lost = last && (last->kind == RawlogEntry::Kind::Unknown ||
+                                   last->kind == RawlogEntry::Kind::Damaged);
         std::string why = window.input().problem();
         if (why.empty() && lost && !endsInside.empty() && !window.require(1))
         {

@@ -3,24 +3,20 @@
 
 #include <mrpt/core/Clock.h>
 
+#include <algorithm>
 #include <chrono>
 #include <set>
 #include <stdexcept>
 
 #include "pending_entries.h"
-#include "vdamf/evaluation/tables.h"
+#include "track_outputs.h"
 #include "vdamf/rawlog/annotation.h"
-#include "vdamf/rawlog/rawlog_writer.h"
 #include "vdamf/rawlog/world_frame.h"
 
 namespace vdamf
 {
 namespace
 {
-// Of 3 degrees of freedom.
-constexpr double kChiSquareMedian = 2.366;
-constexpr double kChiSquare99 = 11.345;
-
 // Adds the time that a scope takes to a sum.
 class Stopwatch
 {
@@ -48,56 +44,34 @@ public:
           ins_(job.configuration.ins),
           pending_(reader_, ins_, job.configuration.scan.label),
           tracker_(job.configuration.tracker),
-          annotator_(job.configuration.output)
+          outputs_(job)
     {
-        openOutputs();
         observeStages();
     }
 
     TrackRawlogSummary run(const std::atomic<bool>& stop)
     {
-        // The head of the output names the world's origin, which the first scan settles.
-        if (PendingScan* scan = pending_.prepareFirstScan())
-            track(*pending_.earliestScanUntil(scan->time));
         while (!stop && !finished_ && prepareFirst())
         {
-            PendingEntry& first = pending_.first();
             // Scans that stand later in the file but are earlier in time come first.
-            for (PendingScan& scan : first.scans)
-                while (!scan.done) track(*pending_.earliestScanUntil(scan.time));
+            for (PendingScan& scan : pending_.first().scans)
+                while (!scan.done && !finished_) take(*pending_.earliestScanUntil(scan.time));
             if (!finished_) copyFirst();
         }
-        summary_.interrupted = stop;
-        summary_.read = reader_.summary();
-        summary_.insSource = ins_.sourceName();
+        while (pending_.holdsAnnotations()) copyFirst();
+        if (outputs_.heldBytes() > 0) writeHead();
+        finishSummary(stop);
         // An interrupted run leaves its outputs unfinished: they stay as `.partial`.
         if (!summary_.interrupted)
         {
             checkUsable();
-            commit();
+            const Stopwatch watch(summary_.writeSeconds);
+            outputs_.commit();
         }
         return summary_;
     }
 
 private:
-    void openOutputs()
-    {
-        if (job_.output)
-        {
-            RawlogWriter::Options options;
-            options.gzLevel = job_.configuration.output.gzLevel;
-            options.threads = job_.configuration.output.gzThreads;
-            options.existing = job_.existing;
-            options.unfinished = OutputFile::Unfinished::Keep;
-            writer_.emplace(*job_.output, options);
-        }
-        if (job_.tracks)
-        {
-            table_.emplace(*job_.tracks, job_.existing, OutputFile::Unfinished::Keep);
-            table_->write(tracksHeader());
-        }
-    }
-
     void observeStages()
     {
         tracker_.onStage(
@@ -119,26 +93,50 @@ private:
         return pending_.prepareFirst();
     }
 
-    void track(PendingScan& scan)
+    void take(PendingScan& scan)
     {
-        scan.done = true;
-        const std::uint64_t number = summary_.scans++;
-        if (number >= job_.lastFrame)
+        if (scansMet_ == job_.lastFrame)
         {
             finished_ = true;
             return;
         }
-        std::optional<LadarFrame> frame = frameOf(scan);
-        // Frames before the first one asked for count, but are not looked at.
-        if (!frame || number < job_.firstFrame) return;
-        const FrameResult result = tracker_.process(*frame);
-        account(result);
-        annotate(scan, result);
-        if (listener_) listener_(*frame, result, reader_.progress());
-        ins_.forgetBefore(frame->time - 10.0);
+        scan.done = true;
+        if (scansMet_ == 0) firstScanTime_ = scan.time;
+        // Also before the range: the source of the poses, and with it the world's origin, must not
+        // depend on where the range begins.
+        const std::optional<VehiclePose> pose = ins_.at(scan.time);
+        if (scansMet_++ >= job_.firstFrame) track(scan, pose);
+        // Only where the stamp is one of the recording's: a wild one would forget all poses.
+        constexpr double kPosesKept = 10.0;  // s
+        if (pose) ins_.forgetBefore(scan.time - kPosesKept);
     }
 
-    std::optional<LadarFrame> frameOf(const PendingScan& scan)
+    void track(PendingScan& scan, const std::optional<VehiclePose>& pose)
+    {
+        ++summary_.scans;
+        noteSensor(scan.observation->sensorLabel);
+        const std::optional<LadarFrame> frame = frameOf(scan, pose);
+        if (!frame) return;
+        const FrameResult result = tracker_.process(*frame);
+        account(result);
+        {
+            const Stopwatch watch(summary_.writeSeconds);
+            outputs_.annotate(scan, result);
+            if (!outputs_.hasHead()) writeHead();
+        }
+        if (listener_) listener_(*frame, result, reader_.progress());
+    }
+
+    void noteSensor(const std::string& label)
+    {
+        constexpr std::size_t kSensorsNamed = 8;
+        std::vector<std::string>& all = summary_.sensors;
+        if (all.size() < kSensorsNamed && std::find(all.begin(), all.end(), label) == all.end())
+            all.push_back(label);
+    }
+
+    std::optional<LadarFrame> frameOf(const PendingScan& scan,
+                                      const std::optional<VehiclePose>& pose)
     {
         const Stopwatch watch(summary_.frameSeconds);
         if (summary_.frames > 0 && scan.time <= summary_.lastTime)
@@ -146,7 +144,6 @@ private:
             ++summary_.outOfOrder;
             return std::nullopt;
         }
-        const std::optional<VehiclePose> pose = ins_.at(scan.time);
         if (!pose)
         {
             ++summary_.withoutPose;
@@ -167,79 +164,68 @@ private:
     {
         if (summary_.frames++ == 0) summary_.firstTime = result.time;
         summary_.lastTime = result.time;
+        nis_.add(result);
         for (const TrackReport& track : result.tracks)
-        {
             if (track.status == TrackStatus::Confirmed) confirmed_.insert(track.id);
-            if (track.nis && track.status == TrackStatus::Confirmed)
-            {
-                ++summary_.nisCount;
-                if (*track.nis < kChiSquareMedian) ++summary_.nisBelowMedian;
-                if (*track.nis > kChiSquare99) ++summary_.nisAbove99;
-            }
-        }
-        summary_.tracksConfirmed = confirmed_.size();
     }
 
-    void annotate(PendingScan& scan, const FrameResult& result)
-    {
-        const Stopwatch watch(summary_.writeSeconds);
-        if (table_) table_->write(toCsv(result));
-        if (!writer_) return;
-        for (const auto& o : annotator_.annotate(result, scan.observation->timestamp))
-            scan.annotations += serialized(*o);
-    }
-
-    // The first entry's bytes and, right behind them, what its scans led to. Damaged bytes are
-    // left out: behind them stock tools would stop reading.
     void copyFirst()
     {
         const PendingEntry entry = pending_.popFirst();
+        if (scansMet_ >= job_.firstFrame) summary_.unstamped += entry.unstamped;
+        if (!firstEntryTime_) firstEntryTime_ = entry.time;
         const Stopwatch watch(summary_.writeSeconds);
-        if (!writer_) return;
-        writeHead();
-        if (entry.entry.kind != RawlogEntry::Kind::Damaged) writer_->writeBytes(entry.entry.bytes);
-        for (const PendingScan& scan : entry.scans) writer_->writeBytes(scan.annotations);
+        outputs_.copy(entry);
+        if (outputs_.heldBytes() > job_.heldBytes) writeHead();
     }
 
     void writeHead()
     {
-        if (headWritten_) return;
-        headWritten_ = true;
-        writer_->write(headComment(job_.version, ins_.originText(), ins_.sourceName(),
-                                   job_.configuration,
-                                   mrpt::Clock::fromDouble(summary_.firstTime)));
+        std::optional<double> time = firstScanTime_ ? firstScanTime_ : firstEntryTime_;
+        if (summary_.frames > 0) time = summary_.firstTime;
+        outputs_.writeHead(headComment(job_.version, ins_.originText(), ins_.sourceName(),
+                                       job_.configuration,
+                                       time ? mrpt::Clock::fromDouble(*time) : INVALID_TIMESTAMP));
+    }
+
+    void finishSummary(bool interrupted)
+    {
+        summary_.interrupted = interrupted;
+        summary_.read = reader_.summary();
+        summary_.insSource = ins_.sourceName();
+        summary_.tracksConfirmed = confirmed_.size();
+        summary_.nis = nis_.report();
+        if (summary_.frames > 0) outputs_.write(summary_.nis);
     }
 
     // A run without any frame has failed: it throws, with the reason, and leaves no output.
     void checkUsable()
     {
-        const std::string name = job_.input.string();
         if (summary_.frames > 0) return;
-        if (writer_) writer_->discard();
-        if (table_) table_->discard();
-        if (summary_.scans == 0)
-            throw std::runtime_error(
-                name + ": no scans" +
-                (job_.configuration.scan.label.empty()
-                     ? std::string(" (CObservationPointCloud or CObservationVelodyneScan)")
-                     : " labelled '" + job_.configuration.scan.label + "' ([scan] label)") +
-                " among its " + std::to_string(summary_.read.objects) + " objects");
-        if (summary_.withoutPose > 0)
-            throw std::runtime_error(
-                name + ": no INS pose at the time of any scan (" + std::to_string(summary_.scans) +
-                " scans; poses: " + (summary_.insSource.empty() ? "none" : summary_.insSource) +
-                "); see section [ins] of the configuration");
-        if (summary_.unreadable > 0)
-            throw std::runtime_error(name + ": no scan could be read: " + summary_.firstUnreadable);
-        throw std::runtime_error(name + ": no frame in the range asked for (" +
-                                 std::to_string(summary_.scans) + " scans)");
+        outputs_.discard();
+        throw std::runtime_error(job_.input.string() + ": " + whyNoFrame());
     }
 
-    void commit()
+    std::string whyNoFrame() const
     {
-        const Stopwatch watch(summary_.writeSeconds);
-        if (writer_) writer_->commit();
-        if (table_) table_->commit();
+        const std::string& label = job_.configuration.scan.label;
+        if (scansMet_ == 0 && summary_.unstamped > 0)
+            return "none of its " + std::to_string(summary_.unstamped) +
+                   " scans has a time stamp, without which it has no pose";
+        if (scansMet_ == 0)
+            return "no scans" +
+                   (label.empty() ? " (CObservationPointCloud or CObservationVelodyneScan)"
+                                  : " labelled '" + label + "' ([scan] label)") +
+                   " among its " + std::to_string(summary_.read.objects) + " objects";
+        if (summary_.scans == 0)
+            return "no frame in the range asked for: it begins at frame " +
+                   std::to_string(job_.firstFrame) + ", the rawlog has the frames 0 to " +
+                   std::to_string(scansMet_ - 1);
+        if (summary_.withoutPose > 0)
+            return "no INS pose at the time of any scan (" + std::to_string(summary_.scans) +
+                   " scans; poses: " + (summary_.insSource.empty() ? "none" : summary_.insSource) +
+                   "); see section [ins] of the configuration";
+        return "no scan could be read: " + summary_.firstUnreadable;
     }
 
     const TrackRawlogJob& job_;
@@ -248,12 +234,13 @@ private:
     InsTrajectory ins_;
     PendingEntries pending_;
     Tracker tracker_;
-    Annotator annotator_;
-    std::optional<RawlogWriter> writer_;
-    std::optional<OutputFile> table_;
+    TrackOutputs outputs_;
+    NisCollector nis_;
     TrackRawlogSummary summary_;
     std::set<std::uint64_t> confirmed_;
-    bool headWritten_ = false;
+    std::uint64_t scansMet_ = 0;  // before the range and in it
+    std::optional<double> firstScanTime_;
+    std::optional<double> firstEntryTime_;
     bool finished_ = false;
     const Stage* stage_ = nullptr;
     Stage current_ = Stage::Ground;
@@ -263,29 +250,22 @@ private:
 
 void checkPaths(const TrackRawlogJob& job)
 {
-    const auto same = [](const std::filesystem::path& a, const std::filesystem::path& b)
-    {
-        std::error_code error;
-        if (std::filesystem::equivalent(a, b, error)) return true;
-        return std::filesystem::weakly_canonical(a, error) ==
-               std::filesystem::weakly_canonical(b, error);
-    };
     std::vector<std::filesystem::path> outputs = job.otherOutputs;
-    if (job.output) outputs.push_back(*job.output);
-    if (job.tracks) outputs.push_back(*job.tracks);
+    for (const auto& output : {job.output, job.tracks, job.nis})
+        if (output) outputs.push_back(*output);
     for (std::size_t i = 0; i < outputs.size(); ++i)
     {
-        std::filesystem::path partial = outputs[i];
-        partial += ".partial";
-        if (same(outputs[i], job.input))
-            throw std::runtime_error(outputs[i].string() + ": is the input; choose another output");
-        if (same(partial, job.input))
-            throw std::runtime_error(outputs[i].string() + ": is written by way of " +
-                                     partial.string() +
+        const std::string name = outputs[i].string();
+        if (sameFile(outputs[i], job.input))
+            throw std::runtime_error(name + ": is the input; choose another output");
+        const std::filesystem::path partial = partialPathOf(outputs[i]);
+        if (sameFile(partial, job.input))
+            throw std::runtime_error(name + ": is written by way of " + partial.string() +
                                      ", which is the input; choose another output");
         for (std::size_t j = 0; j < i; ++j)
-            if (same(outputs[i], outputs[j]))
-                throw std::runtime_error(outputs[i].string() + ": is named for two outputs");
+            if (sameFile(outputs[i], outputs[j]) || sameFile(partial, outputs[j]) ||
+                sameFile(outputs[i], partialPathOf(outputs[j])))
+                throw std::runtime_error(name + ": is named for two outputs");
     }
 }
 

@@ -7,33 +7,55 @@
 
 namespace vdamf
 {
+namespace
+{
+PlacedObject placed(const Scene& scene, const SceneObject& object, double time)
+{
+    const GroundPose pose = objectPoseAt(scene, object, time);
+    PlacedObject result{existsAt(object, time) ? &object.body : nullptr,
+                        pose.position,
+                        Eigen::Matrix3d::Identity(),
+                        object.body.radius,
+                        pose.position.z(),
+                        pose.position.z() + object.body.height};
+    if (pose.pitch == 0.0 && pose.roll == 0.0)
+    {
+        result.toBody.topLeftCorner<2, 2>() = rotation(-pose.heading);
+        return result;
+    }
+    result.toBody = pose.attitude().transpose();
+    const double sinTilt = std::sqrt(std::max(0.0, 1.0 - std::pow(result.toBody(2, 2), 2)));
+    result.radius += object.body.height * sinTilt;
+    result.bottom -= object.body.radius * sinTilt;
+    result.top += object.body.radius * sinTilt;
+    return result;
+}
+}  // namespace
+
 std::vector<PlacedObject> placedAt(const Scene& scene, double time)
 {
-    std::vector<PlacedObject> placed;
-    placed.reserve(scene.objects.size());
-    for (const SceneObject& object : scene.objects)
-    {
-        const OrientedBox box = boxAt(object, time);
-        placed.push_back(
-            {&object.body, box.centre(), std::cos(box.heading), std::sin(box.heading)});
-    }
-    return placed;
+    std::vector<PlacedObject> objects;
+    objects.reserve(scene.objects.size());
+    for (const SceneObject& object : scene.objects) objects.push_back(placed(scene, object, time));
+    return objects;
 }
 
 Fan fanOf(const std::vector<PlacedObject>& objects, const Eigen::Vector2d& sensor, double heading,
           double width)
 {
+    constexpr double kWide = 1.0;  // rad; the bound below holds for thin wedges only
     const Eigen::Vector2d axis(std::cos(heading), std::sin(heading));
     Fan fan;
     for (std::size_t i = 0; i < objects.size(); ++i)
     {
-        const Eigen::Vector2d to = objects[i].centre - sensor;
+        if (objects[i].body == nullptr) continue;
+        const Eigen::Vector2d to = objects[i].origin.head<2>() - sensor;
         const double along = axis.dot(to);
-        const double radius = objects[i].body->radius;
+        const double radius = objects[i].radius;
         const double aside = std::abs(axis.x() * to.y() - axis.y() * to.x());
         // The wedge's edge is away from its axis by at most its angle times the distance.
         const bool isInside = along > -radius && aside <= radius + width * (to.norm() + radius);
-        if (isInside) fan.objects.push_back(static_cast<int>(i));
+        if (isInside || width > kWide) fan.objects.push_back(static_cast<int>(i));
     }
     return fan;
 }
@@ -42,22 +64,16 @@ bool mayHit(const PlacedObject& object, const Ray& ray)
 {
     const double horizontal = ray.direction.head<2>().norm();
     if (horizontal < 1e-6) return true;
-    const double distance = (object.centre - ray.origin.head<2>()).norm();
+    const double distance = (object.origin.head<2>() - ray.origin.head<2>()).norm();
     const double slope = ray.direction.z() / horizontal;
-    const double atNear = ray.origin.z() + slope * std::max(0.0, distance - object.body->radius);
-    const double atFar = ray.origin.z() + slope * (distance + object.body->radius);
-    return std::min(atNear, atFar) <= object.body->height && std::max(atNear, atFar) >= 0.0;
+    const double atNear = ray.origin.z() + slope * std::max(0.0, distance - object.radius);
+    const double atFar = ray.origin.z() + slope * (distance + object.radius);
+    return std::min(atNear, atFar) <= object.top && std::max(atNear, atFar) >= object.bottom;
 }
 
 Ray inBodyFrame(const PlacedObject& object, const Ray& ray)
 {
-    const double c = object.cosHeading;
-    const double s = object.sinHeading;
-    const double x = ray.origin.x() - object.centre.x();
-    const double y = ray.origin.y() - object.centre.y();
-    const Eigen::Vector3d& d = ray.direction;
-    return {{c * x + s * y, c * y - s * x, ray.origin.z()},
-            {c * d.x() + s * d.y(), c * d.y() - s * d.x(), d.z()}};
+    return {object.toBody * (ray.origin - object.origin), object.toBody * ray.direction};
 }
 
 }  // namespace vdamf

@@ -10,10 +10,13 @@ namespace vdamf
 {
 struct PlacedObject
 {
-    const Body* body;
-    Eigen::Vector2d centre;  ///< scene frame, m
-    double cosHeading;
-    double sinHeading;
+    const Body* body;        ///< null while the object does not exist
+    Eigen::Vector3d origin;  ///< of the body's frame, scene frame, m
+    Eigen::Matrix3d toBody;  ///< turns directions of the scene into the body's frame
+    // The upright cylinder around the origin that holds the body.
+    double radius;  ///< m
+    double bottom;  ///< z in the scene, m
+    double top;     ///< z in the scene, m
 };
 
 std::vector<PlacedObject> placedAt(const Scene& scene, double time);
@@ -24,7 +27,7 @@ struct Fan
     std::vector<int> objects;
 };
 
-/// The wedge starts at `sensor` and reaches from `heading` clockwise over `width` rad.
+/// The wedge starts at `sensor` and reaches from `heading` over `width` rad to either side.
 Fan fanOf(const std::vector<PlacedObject>& objects, const Eigen::Vector2d& sensor, double heading,
           double width);
 

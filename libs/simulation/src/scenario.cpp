@@ -4,47 +4,38 @@
 #include <cmath>
 
 #include "scene_builder.h"
+#include "sensor_sections.h"
+#include "vdamf/simulation/paint.h"
 
 namespace vdamf
 {
-namespace
-{
-LadarMount mountOf(const RunOptions& run, const SensorOptions& sensor)
-{
-    LadarMount mount;
-    mount.ladar = ladarOf(sensor.model);
-    if (sensor.rangeNoise >= 0.0) mount.ladar.rangeNoise = sensor.rangeNoise;
-    if (sensor.maxRange >= 0.0) mount.ladar.maxRange = sensor.maxRange;
-    mount.position = {sensor.x, sensor.y, sensor.z};
-    mount.heading = sensor.heading;
-    mount.rate = run.rate;
-    mount.fieldOfView = sensor.fieldOfView;
-    mount.instantaneous = sensor.instantaneous;
-    mount.halfLossStrength = sensor.halfLossStrength;
-    mount.glassLoss = sensor.glassLoss;
-    return mount;
-}
-}  // namespace
-
 int Scenario::frames() const
 {
     // A frame that begins a rounding error before the end would be one too many.
-    return static_cast<int>(std::ceil(run.duration * run.rate - 1e-6));
+    return static_cast<int>(std::ceil(run.duration * frameRate() - 1e-6));
 }
 
 Scenario readScenario(const IniDocument& document)
 {
     Scenario scenario;
     PlatformOptions platform;
+    TerrainOptions terrain;
     IniReader reader(document);
     reader.read("scenario", scenario.run);
-    reader.read("sensor", scenario.sensor);
+    scenario.sensors = readSensors(document, reader, scenario.run);
     reader.read("platform", platform);
-    const std::vector<NamedObject> objects = readObjects(document, reader);
+    reader.read("terrain", terrain);
+    reader.read("ins", scenario.ins);
+    reader.require(scenario.ins.gapLength < scenario.ins.gapEvery,
+                   document.fileName() +
+                       ": ins.gap_length_s: must be shorter than ins.gap_every_s, " +
+                       "which is counted from gap to gap");
+    const ObjectSections objects = readObjects(document, reader);
     reader.finish();
 
-    scenario.scene = buildScene(document, platform, objects);
-    scenario.mount = mountOf(scenario.run, scenario.sensor);
+    scenario.scene = buildScene(document, platform, objects, scenario.run.duration);
+    scenario.scene.terrain = Terrain(terrain);
+    for (SceneObject& object : scenario.scene.objects) object.paint = paintOf(object.name);
     return scenario;
 }
 

@@ -1,37 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene_builder.h"
 
+#include <algorithm>
+#include <filesystem>
 #include <stdexcept>
 #include <utility>
 
+#include "scene_problems.h"
+#include "traffic.h"
 #include "vdamf/simulation/segments.h"
+#include "vdamf/simulation/towed_motion.h"
 
 namespace vdamf
 {
 namespace
 {
 constexpr std::string_view kObjectPrefix = "object ";
-
-/// The rear axle lies this share of the length behind the middle of a vehicle: half of the usual
-/// wheelbase.
-constexpr double kRearAxleShare = 0.28;
-
-/// "file:line: section.key: what", of a key where it stands in the file, else of its section.
-std::string located(const IniDocument& document, const std::string& section, const std::string& key,
-                    const std::string& what)
-{
-    int line = 0;
-    if (const IniSection* found = document.find(section))
-    {
-        line = found->line;
-        for (const IniEntry& entry : found->entries)
-        {
-            if (entry.key == key) line = entry.line;
-        }
-    }
-    return document.fileName() + ":" + std::to_string(line) + ": " + section + "." + key + ": " +
-           what;
-}
 
 BodySize sizeOf(const ObjectOptions& options)
 {
@@ -45,12 +29,15 @@ BodySize sizeOf(const ObjectOptions& options)
 class SceneBuilder
 {
 public:
-    explicit SceneBuilder(const IniDocument& document) : document_(document) {}
+    SceneBuilder(const IniDocument& document, double duration)
+        : document_(document), problems_(document), duration_(duration)
+    {
+    }
 
     void setPlatform(const PlatformOptions& options)
     {
         const MotionState start{options.x, options.y, options.heading, options.speed, 0.0};
-        scene_.platform = Trajectory(start, segments("platform", options.segments));
+        scene_.platform = Trajectory(start, segments("platform", options.segments, options.speed));
     }
 
     void add(const NamedObject& named)
@@ -58,78 +45,155 @@ public:
         const ObjectOptions& options = named.options;
         if (named.name.find(',') != std::string::npos)
         {
-            problem(named.section, "class", "the object's name must not hold a comma");
+            problems_.add(named.section, "class", "the object's name must not hold a comma");
         }
         SceneObject object;
         object.name = named.name;
         object.objectClass = options.objectClass;
         object.size = sizeOf(options);
-        object.rearAxleOffset =
-            isVehicle(options.objectClass) ? kRearAxleShare * object.size.length : 0.0;
-        const OrientedBox box{options.x, options.y, options.heading, 0.0, 0.0};
-        object.trajectory = Trajectory(startOf(box, object.rearAxleOffset, options.speed),
-                                       segments(named.section, options.segments));
+        object.rearAxleOffset = rearAxleOffsetOf(options.objectClass, object.size.length);
+        object.trajectory = options.towedBy.empty() ? driven(named, object.rearAxleOffset)
+                                                    : towedBehind(named, object);
         try
         {
             object.body = makeBody(object.objectClass, object.size);
         }
         catch (const std::runtime_error& error)
         {
-            problem(named.section, "length_m", error.what());
+            problems_.add(named.section, "length_m", error.what());
         }
         scene_.objects.push_back(std::move(object));
     }
 
+    void addTraffic(const TrafficOptions& options)
+    {
+        if (!options.argoverseLog.empty() && !options.table.empty())
+        {
+            problems_.add("traffic", "table", "cannot be given together with argoverse_log");
+            return;
+        }
+        const std::string key = options.table.empty() ? "argoverse_log" : "table";
+        const std::string& name = options.table.empty() ? options.argoverseLog : options.table;
+        if (name.empty()) return;
+        try
+        {
+            const std::filesystem::path path = resolved(key, name);
+            addRecording(key, options.table.empty() ? readArgoverseLog(path) : readTruthTable(path),
+                         options.smoothing);
+        }
+        catch (const std::runtime_error& error)
+        {
+            problems_.add("traffic", key, error.what());
+        }
+    }
+
     Scene finish() &&
     {
-        if (!problems_.empty()) throw IniError(problems_);
+        problems_.throwIfAny();
         return std::move(scene_);
     }
 
 private:
-    void problem(const std::string& section, const std::string& key, const std::string& what)
+    Trajectory driven(const NamedObject& named, double axleOffset)
     {
-        problems_ += (problems_.empty() ? "" : "\n") + located(document_, section, key, what);
+        const ObjectOptions& options = named.options;
+        const OrientedBox box{options.x, options.y, options.heading, 0.0, 0.0};
+        return Trajectory(startOf(box, axleOffset, options.speed),
+                          segments(named.section, options.segments, options.speed));
     }
 
-    std::vector<MotionSegment> segments(const std::string& section, const std::string& text)
+    Trajectory towedBehind(const NamedObject& named, const SceneObject& object)
+    {
+        for (const char* key : {"x_m", "y_m", "heading_deg", "speed_mps", "segments"})
+        {
+            if (findEntry(document_, named.section, key) == nullptr) continue;
+            problems_.add(named.section, key, "follows from what tows it: remove this key");
+        }
+        const auto vehicle = std::find_if(scene_.objects.begin(), scene_.objects.end(),
+                                          [&](const SceneObject& other)
+                                          { return other.name == named.options.towedBy; });
+        if (vehicle == scene_.objects.end())
+        {
+            problems_.add(named.section, "towed_by",
+                          "expected the name of an object that stands above in the file");
+            return {};
+        }
+        const TowBar bar{0.5 * vehicle->size.length - vehicle->rearAxleOffset,
+                         named.options.drawbar + 0.5 * object.size.length + object.rearAxleOffset};
+        return towed(vehicle->trajectory, bar, duration_);
+    }
+
+    /// Names in the file are relative to it, those from the command line to where it is run.
+    std::filesystem::path resolved(const std::string& key, const std::string& name) const
+    {
+        const IniEntry* entry = findEntry(document_, "traffic", key);
+        if (entry != nullptr && entry->line == 0) return name;
+        return std::filesystem::path(document_.fileName()).parent_path() / name;
+    }
+
+    void addRecording(const std::string& key, const Recording& recording, double smoothing)
+    {
+        if (recording.platform.size() >= 2)
+        {
+            if (document_.find("platform") != nullptr)
+            {
+                problems_.add("traffic", key,
+                              "says how the platform moves: remove the section [platform]");
+            }
+            scene_.platform = smoothed(recording.platform, 0.0, smoothing);
+        }
+        for (SceneObject& object : sceneObjects(recording, smoothing))
+        {
+            const bool isTaken =
+                std::any_of(scene_.objects.begin(), scene_.objects.end(),
+                            [&](const SceneObject& other) { return other.name == object.name; });
+            if (isTaken) problems_.add("traffic", key, "holds another object " + object.name);
+            scene_.objects.push_back(std::move(object));
+        }
+    }
+
+    std::vector<MotionSegment> segments(const std::string& section, const std::string& text,
+                                        double speed)
     {
         try
         {
-            return parseSegments(text);
+            return parseSegments(text, speed);
         }
         catch (const std::runtime_error& error)
         {
-            problem(section, "segments", error.what());
+            problems_.add(section, "segments", error.what());
             return {};
         }
     }
 
     const IniDocument& document_;
+    SceneProblems problems_;
+    double duration_;
     Scene scene_;
-    std::string problems_;
 };
 }  // namespace
 
-std::vector<NamedObject> readObjects(const IniDocument& document, IniReader& reader)
+ObjectSections readObjects(const IniDocument& document, IniReader& reader)
 {
-    std::vector<NamedObject> objects;
+    ObjectSections sections;
+    reader.read("traffic", sections.traffic);
     for (const IniSection& section : document.sections())
     {
         if (section.name.substr(0, kObjectPrefix.size()) != kObjectPrefix) continue;
         NamedObject object{section.name, section.name.substr(kObjectPrefix.size()), {}};
         reader.read(section.name, object.options);
-        objects.push_back(std::move(object));
+        sections.objects.push_back(std::move(object));
     }
-    return objects;
+    return sections;
 }
 
 Scene buildScene(const IniDocument& document, const PlatformOptions& platform,
-                 const std::vector<NamedObject>& objects)
+                 const ObjectSections& sections, double duration)
 {
-    SceneBuilder builder(document);
+    SceneBuilder builder(document, duration);
     builder.setPlatform(platform);
-    for (const NamedObject& object : objects) builder.add(object);
+    for (const NamedObject& object : sections.objects) builder.add(object);
+    builder.addTraffic(sections.traffic);
     return std::move(builder).finish();
 }
 

@@ -9,6 +9,7 @@
 #include "vdamf/simulation/object_options.h"
 #include "vdamf/simulation/scenario_options.h"
 #include "vdamf/simulation/scene.h"
+#include "vdamf/simulation/traffic_options.h"
 
 namespace vdamf
 {
@@ -19,11 +20,18 @@ struct NamedObject
     ObjectOptions options;
 };
 
-/// All sections [object NAME], in the order of the file.
-std::vector<NamedObject> readObjects(const IniDocument& document, IniReader& reader);
+/// What the file says of objects.
+struct ObjectSections
+{
+    std::vector<NamedObject> objects;  ///< all sections [object NAME], in the order of the file
+    TrafficOptions traffic;            ///< section [traffic]
+};
 
-/// Throws IniError that lists what is wrong with the parts, each with file, line and key.
+ObjectSections readObjects(const IniDocument& document, IniReader& reader);
+
+/// The scene for times from 0 to `duration` in s. Throws IniError that lists what is wrong with
+/// the parts, each with file, line and key.
 Scene buildScene(const IniDocument& document, const PlatformOptions& platform,
-                 const std::vector<NamedObject>& objects);
+                 const ObjectSections& sections, double duration);
 
 }  // namespace vdamf

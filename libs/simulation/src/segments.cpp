@@ -1,20 +1,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Motion segments as text in a scenario file.
+// Motion as text in a scenario file.
 #include "vdamf/simulation/segments.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <stdexcept>
 #include <string>
 
 #include "vdamf/files/numbers.h"
 #include "vdamf/files/text_file.h"
+#include "vdamf/simulation/manoeuvres.h"
+#include "vdamf/tracking/types/geometry.h"
 
 namespace vdamf
 {
 namespace
 {
 constexpr std::string_view kBlanks = " \t";
+
+const char* const kExpected =
+    "expected duration_s (above 0, to 3600), acceleration_mps2 (-20 to 20), curvature_1pm (-1 to "
+    "1) and maybe the curvature at the end, or one of: keep DURATION_S, speed_to SPEED_MPS "
+    "ACCELERATION_MPS2, stop ACCELERATION_MPS2, turn ANGLE_DEG RADIUS_M, lane_change OFFSET_M "
+    "DURATION_S; with blanks between, and commas between segments";
 
 std::vector<std::string_view> words(std::string_view text)
 {
@@ -29,40 +38,69 @@ std::vector<std::string_view> words(std::string_view text)
     return found;
 }
 
-std::optional<MotionSegment> parseSegment(std::string_view text)
+/// All words from `first` on as numbers.
+std::vector<double> numbers(const std::vector<std::string_view>& parts, std::size_t first)
+{
+    std::vector<double> values;
+    for (std::size_t i = first; i < parts.size(); ++i)
+    {
+        const std::optional<double> value = parseNumber(parts[i]);
+        if (!value) throw std::runtime_error(kExpected);
+        values.push_back(*value);
+    }
+    return values;
+}
+
+MotionSegment plainSegment(const std::vector<double>& v)
+{
+    const bool isInRange = (v.size() == 3 || v.size() == 4) && v[0] > 0.0 && v[0] <= 3600.0 &&
+                           std::abs(v[1]) <= 20.0 && std::abs(v[2]) <= 1.0 &&
+                           std::abs(v.back()) <= (v.size() == 4 ? 1.0 : 20.0);
+    if (!isInRange) throw std::runtime_error(kExpected);
+    MotionSegment segment{v[0], v[1], v[2], {}};
+    if (v.size() == 4) segment.endCurvature = v[3];
+    return segment;
+}
+
+std::vector<MotionSegment> parseItem(std::string_view text, double speed)
 {
     const std::vector<std::string_view> parts = words(text);
-    if (parts.size() != 3) return std::nullopt;
-    const std::optional<double> duration = parseNumber(parts[0]);
-    const std::optional<double> acceleration = parseNumber(parts[1]);
-    const std::optional<double> curvature = parseNumber(parts[2]);
-    if (!duration || !acceleration || !curvature) return std::nullopt;
-    const bool isInRange = *duration > 0.0 && *duration <= 3600.0 &&
-                           std::abs(*acceleration) <= 20.0 && std::abs(*curvature) <= 1.0;
-    if (!isInRange) return std::nullopt;
-    return MotionSegment{*duration, *acceleration, *curvature};
+    if (parts.empty()) throw std::runtime_error(kExpected);
+    if (parseNumber(parts[0])) return {plainSegment(numbers(parts, 0))};
+    const std::vector<double> v = numbers(parts, 1);
+    const std::string_view name = parts[0];
+    if (name == "keep" && v.size() == 1) return keep(v[0]);
+    if (name == "speed_to" && v.size() == 2) return speedTo(speed, v[0], v[1]);
+    if (name == "stop" && v.size() == 1) return speedTo(speed, 0.0, v[0]);
+    if (name == "turn" && v.size() == 2) return turn(speed, v[0] * kPi / 180.0, v[1]);
+    if (name == "lane_change" && v.size() == 2) return laneChange(speed, v[0], v[1]);
+    throw std::runtime_error(kExpected);
 }
 }  // namespace
 
-std::vector<MotionSegment> parseSegments(std::string_view text)
+std::vector<MotionSegment> parseSegments(std::string_view text, double speed)
 {
     std::vector<MotionSegment> segments;
     if (trimmed(text).empty()) return segments;
     std::size_t begin = 0;
-    while (begin <= text.size())
+    for (int item = 1; begin <= text.size(); ++item)
     {
         const std::size_t end = std::min(text.find(',', begin), text.size());
         const std::string_view part = text.substr(begin, end - begin);
-        const std::optional<MotionSegment> segment = parseSegment(part);
-        if (!segment)
+        try
         {
-            throw std::runtime_error(
-                "segment " + std::to_string(segments.size() + 1) + " is " +
-                inQuotes(trimmed(part)) +
-                ": expected duration_s (above 0, to 3600), acceleration_mps2 (-20 to 20) and "
-                "curvature_1pm (-1 to 1) with blanks between, and commas between segments");
+            for (const MotionSegment& segment : parseItem(part, speed))
+            {
+                segments.push_back(segment);
+                speed += segment.acceleration * segment.duration;
+            }
         }
-        segments.push_back(*segment);
+        catch (const std::runtime_error& error)
+        {
+            throw std::runtime_error("segment " + std::to_string(item) + " is " +
+                                     inQuotes(trimmed(part)) + ": " + error.what());
+        }
+        if (std::abs(speed) < 1e-9) speed = 0.0;
         begin = end + 1;
     }
     return segments;

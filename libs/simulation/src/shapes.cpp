@@ -91,6 +91,20 @@ std::optional<SurfaceHit> intersect(const UprightCylinder& cylinder, const Ray& 
     return std::nullopt;
 }
 
+std::optional<SurfaceHit> intersect(const Wheel& wheel, const Ray& ray)
+{
+    // Mirrored at the plane y = z it stands upright.
+    const auto mirrored = [](const Eigen::Vector3d& v)
+    { return Eigen::Vector3d(v.x(), v.z(), v.y()); };
+    const double half = 0.5 * wheel.width;
+    const UprightCylinder upright{{wheel.centre.x(), wheel.centre.z()},
+                                  wheel.radius,
+                                  wheel.centre.y() - half,
+                                  wheel.centre.y() + half,
+                                  wheel.material};
+    return intersect(upright, Ray{mirrored(ray.origin), mirrored(ray.direction)});
+}
+
 std::optional<RayInterval> passage(const Ellipsoid& ellipsoid, const Ray& ray)
 {
     // Scaled so that the ellipsoid is the unit ball.

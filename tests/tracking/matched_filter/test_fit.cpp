@@ -241,7 +241,7 @@ TEST(StartBox, FollowsTheEdges)
     EXPECT_NEAR(start.width, 1.8, 0.15);
 }
 
-TEST(MeasureTarget, CoarseToFineTightensTheBox)
+TEST(MeasureTarget, NarrowerStripsTightenTheBox)
 {
     // Table 1 as printed sits outside the faces; narrower strips take the bias out.
     MeasureOptions paper;

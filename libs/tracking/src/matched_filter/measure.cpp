@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vdamf/tracking/matched_filter/measure.h"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
+#include "matched_filter/face_box.h"
 #include "matched_filter/face_extent.h"
+#include "matched_filter/match_kernel.h"
 #include "vdamf/tracking/matched_filter/covariance.h"
-#include "vdamf/tracking/matched_filter/match_response.h"
 
 namespace vdamf
 {
@@ -28,6 +30,40 @@ std::vector<FilterShape> filterSteps(const MeasureOptions& options)
         steps.push_back(shape);
     }
     return steps;
+}
+
+// A start whose hits lie mostly in the surround would gain by leaving them altogether.
+OrientedBox betterStart(const Hits& hits, const Eigen::Vector2d& sensor, const FilterShape& shape,
+                        const OrientedBox& start)
+{
+    const OrientedBox moved = movedOntoHits(start, hits, sensor);
+    const KernelHits kernel = kernelHits(hits, start.centre());
+    const auto match = [&](const OrientedBox& box)
+    { return kernelResponse(kernel, shape, box, bearingToSensor(box, sensor)).value; };
+    return match(moved) > match(start) ? moved : start;
+}
+
+// A step of this length ends the search for where the lines start, m and rad.
+constexpr double kBeforeLines = 0.03;
+
+// From the filter's box, up to half a metre too large, to the faces: first with a wide view of
+// what lies on them, then with a narrow one.
+std::optional<FaceBox> onFaces(const Hits& hits, const OrientedBox& fitted, FaceSet seen,
+                               const Eigen::Vector2d& sensor, const MeasureOptions& options)
+{
+    FaceLineOptions wide;
+    wide.rangeNoise = options.rangeNoise;
+    wide.gate = 0.7;
+    wide.sigma = 0.2;
+    wide.iterations = 4;
+    const auto first = fitFaceLines(hits, fitted, seen, sensor, wide);
+    if (!first) return std::nullopt;
+    const OrientedBox box = onFaceLines(fitted, *first);
+    FaceLineOptions narrow;
+    narrow.rangeNoise = options.rangeNoise;
+    const auto lines = fitFaceLines(hits, box, seen, sensor, narrow);
+    if (!lines) return std::nullopt;
+    return boxFromFaces(hits, box, seen, sensor, *lines, options.hiddenFaceSigma, options.fit);
 }
 }  // namespace
 
@@ -78,20 +114,32 @@ Measurement measureTarget(const Hits& hits, const Eigen::Vector2d& sensor, const
     if (knownLengthWidth && options.sizePriorWeight > 0.0)
         prior = SizePrior{knownLengthWidth->x(), knownLengthWidth->y(), options.sizePriorWeight,
                           options.sizePriorWeight};
-    Measurement m;
-    m.box = start;
-    m.hits = static_cast<int>(std::lround(hits.totalWeight));
     const std::vector<FilterShape> steps = filterSteps(options);
+    FitOptions fitOptions = options.fit;
+    const bool linesFollow = options.filter == FilterKind::FaceLines;
+    if (linesFollow) fitOptions.tolerance = std::max(fitOptions.tolerance, kBeforeLines);
+    Measurement m;
+    m.box = betterStart(hits, sensor, steps.front(), start);
+    m.hits = static_cast<int>(std::lround(hits.totalWeight));
     Fit fit;
     for (const FilterShape& shape : steps)
     {
-        fit = fitMatchedFilter(hits, shape, sensor, m.box, options.fit, prior);
+        fit = fitMatchedFilter(hits, shape, sensor, m.box, fitOptions, prior);
         m.box = fit.box;
         m.iterations += fit.iterations;
     }
     m.match = fit.match;
     m.converged = fit.converged;
     m.facesSeen = facesSeen(hits, m.box, sensor, options);
+    if (linesFollow)
+    {
+        if (const auto faces = onFaces(hits, m.box, m.facesSeen, sensor, options))
+        {
+            m.box = faces->box;
+            m.covariance = faces->covariance;
+            return m;
+        }
+    }
     m.covariance = fitCovariance(hits, steps.back(), m.box, fit.phi, options.hitSigma);
     if (options.reachOverHits) m.box = reachingOverHits(hits, m.box, m.facesSeen, sensor);
     return m;

@@ -14,7 +14,7 @@ struct Consistency
 {
     std::size_t count = 0;
     int dimension = 0;
-    double mean = 0.0;        ///< divided by the dimension: 1 is expected
+    double mean = 0.0;        ///< of the finite values, divided by the dimension: 1 is expected
     double lowerBound = 0.0;  ///< 95 % band of `mean` for independent samples
     double upperBound = 0.0;
     double median = 0.0;    ///< of the values
@@ -26,23 +26,23 @@ struct Consistency
     double covarianceScale = 1.0;
 };
 
-/// `values` of `dimension` degrees of freedom; those that are not finite count as outside of all
-/// points. Nothing in it: count 0.
+/// `values` of `dimension` degrees of freedom; those that are negative (a covariance that is none)
+/// or not finite count as outside of all points. Nothing in it: count 0.
 Consistency consistencyOf(const std::vector<double>& values, int dimension);
 
 enum class Verdict
 {
     TooFew,          ///< less than 30 values
-    Consistent,      ///< the mean lies in its band, or within 20 % of 1
+    Consistent,      ///< the mean lies in its band, or within 20 % of 1, without a heavy tail
     Overconfident,   ///< errors are larger than the covariance says
     Underconfident,  ///< errors are smaller
-    HeavyTailed      ///< most are as expected or smaller, a few are far out (wrong associations)
+    HeavyTailed      ///< most are as expected or smaller, more than 3 % are above the 99 % point
 };
 
 Verdict verdictOf(const Consistency& consistency);
 
-/// One sentence for people, for example "overconfident: errors are 1.6 times as large as the
-/// filter says; 12 % of updates lie above the 99 % point (expected 1 %)".
+/// One sentence for people, for example "overconfident: errors are 1.60 times as large as the
+/// filter says; 12.0 % of the values lie above the 99 % point (expected 1 %)".
 std::string inWords(const Consistency& consistency);
 
 }  // namespace vdamf

@@ -14,17 +14,16 @@ namespace vdamf
 /// track on it is no false alarm.
 struct ScoringOptions
 {
-    double overlap = 0.5;        ///< bird's-eye IoU from which a track has found an object
-    int minPoints = 1;           ///< objects with fewer hits are don't care; unknown counts count
-    double maxRange = 0.0;       ///< objects and tracks farther from the sensor: not scored; 0: all
-    double regionFov = 0.0;      ///< labelled sector ahead, rad; 0: all around
-    bool onlyVehicles = false;   ///< drop tracks that the discriminator takes for clutter
-    bool withTentative = false;  ///< score tentative tracks too
+    double overlap = 0.5;         ///< bird's-eye IoU from which a track has found an object
+    int minPoints = 1;            ///< objects with fewer hits are don't care; unknown counts count
+    double maxRange = 0.0;        ///< region: centres this near to the sensor, m; 0: all
+    double regionFov = 0.0;       ///< region: labelled sector ahead, rad; 0: all around
+    bool onlyVehicles = false;    ///< drop tracks that the discriminator takes for clutter
+    bool withTentative = false;   ///< score tentative tracks too
     double timeTolerance = 1e-3;  ///< between rows of one frame, s
 };
 
-/// One frame as it is scored. Tracks outside the region and unpublished ones (tentative, ended) are
-/// left out; truth outside the region is left out as well.
+/// One frame as it is scored.
 struct ScoredFrame
 {
     double time = 0.0;  ///< s
@@ -42,11 +41,15 @@ struct Sequence
     std::vector<ScoredFrame> frames;
 };
 
-/// Vehicles (Car, Van, Truck, Tram, Bus) count; other classes are don't care. The sensor's pose at
-/// frames without truth is interpolated between those with it. Throws std::runtime_error where an
-/// option needs the sensor's pose and the truth has none (it names the missing columns), where an
-/// object or a track stands twice in a frame, and where no frame of the two tables has a time in
-/// common.
+/// Vehicles (Car, Van, Truck, Tram, Bus) with their centre in the region and with enough hits
+/// count; all other truth is don't care. Unpublished tracks (tentative, ended) are left out, and
+/// those with their centre outside of the region, unless they overlap an object that counts by
+/// `overlap`: at the border truth and track may stand on different sides of it, and that is neither
+/// a miss nor a false alarm. The sensor's pose at frames whose rows have none is interpolated
+/// between those that have one. Throws std::runtime_error where the region needs the sensor's pose
+/// and the truth has none (it names the missing columns), where an object or a track stands twice
+/// in a frame, where the truth is empty, and where no frame of the two tables has a time in common.
+/// No tracks at all: every object is missed.
 Sequence makeSequence(const std::vector<TruthRow>& truth, const std::vector<TrackRow>& tracks,
                       const ScoringOptions& options);
 

@@ -42,10 +42,13 @@ struct TrackRow
 
 // Times are written with 6 decimals, all other numbers with enough digits for their use (0.1 mm,
 // 1e-6 rad, 8 significant digits of variances). Readers throw std::runtime_error that names file,
-// line and column.
+// line and column: for cells that cannot be read, times that go back, and an object or a track that
+// stands twice at one time.
 
 /// The classes of truth.csv.
 const std::vector<std::string>& truthClasses();
+/// Car, Van, Truck, Tram and Bus.
+bool isVehicleClass(const std::string& objectClass);
 /// Without the columns of `sensor`, which a table may lack.
 const std::vector<std::string>& truthColumns();
 std::string truthHeader();               ///< with the line's end

@@ -29,8 +29,9 @@ struct IniSection
 };
 
 /// A parsed ini file. `[section]`, `key = value`; comments: a line that starts with `#`, `;` or
-/// `//`, and anything after ` //`, ` #` or ` ;` behind a value (a blank before the mark). A
-/// duplicate section or key, or a line that is neither, is a std::runtime_error "file:line: ...".
+/// `//`, and anything after ` //`, ` #` or ` ;` behind a value (a blank before the mark). Lines end
+/// with a line feed, a carriage return or both. A duplicate section or key, or a line that is
+/// neither, is a std::runtime_error "file:line: ...".
 class IniDocument
 {
 public:
@@ -71,6 +72,10 @@ public:
         beginSection(section);
         Options::visit(options, *this);
     }
+
+    /// For what concerns several values together: notes the problem, which names their keys, where
+    /// the condition does not hold.
+    void require(bool condition, const std::string& problem);
 
     void finish();
 

@@ -7,11 +7,23 @@
 
 namespace vdamf
 {
-/// Writes to `<path>.partial` and renames it to `<path>` on commit(). Every write and the close
-/// are checked, and the bytes are on the disk before the name appears. An old `.partial` is
-/// replaced, one that another process still writes is not. A path that names a device or a pipe
-/// (/dev/stdout, /dev/null) is written directly. All errors are std::runtime_error that name the
-/// file and the system's reason.
+/// Where the bytes for an output stand until it is whole: `<path>.partial`, beside the file that
+/// the path leads to where it is a symbolic link; the path itself where it is written directly.
+std::filesystem::path partialPathOf(const std::filesystem::path& path);
+
+/// True where both names lead to one file, which need not exist.
+bool sameFile(const std::filesystem::path& a, const std::filesystem::path& b);
+
+/// True for /dev/stdout and its other names: what is written there goes the way of printed text.
+bool isStandardOutput(const std::filesystem::path& path);
+
+/// Writes to partialPathOf(path) and renames that to the path on commit(). Every write and the
+/// close are checked, and the bytes are on the disk before the name appears. A symbolic link
+/// stays, the file that it leads to is replaced. An old `.partial` holds what an interrupted run
+/// saved: it is refused like an existing file, unless it is empty; one that another process still
+/// writes is refused always. A path that names a device, a pipe or a descriptor (/dev/null,
+/// /dev/stdout, also when that is redirected to a file) is written directly. All errors are
+/// std::runtime_error that name the file and the system's reason.
 class OutputFile
 {
 public:
@@ -23,7 +35,9 @@ public:
     enum class Unfinished
     {
         Discard,  ///< without commit() nothing stays behind
-        Keep      ///< without commit() `<path>.partial` stays, for example after an interruption
+        /// Without commit() the `.partial` stays, for example after an interruption, unless nothing
+        /// was written.
+        Keep
     };
 
     OutputFile(std::filesystem::path path, Existing existing, Unfinished unfinished);
@@ -41,10 +55,12 @@ public:
 
 private:
     std::filesystem::path path_;
-    std::filesystem::path partialPath_;  ///< the path itself where it is a device
+    std::filesystem::path target_;       ///< the path without symbolic links
+    std::filesystem::path partialPath_;  ///< the path itself where it is written directly
     Existing existing_;
     Unfinished unfinished_;
     bool committed_ = false;
+    bool empty_ = true;
     int descriptor_ = -1;
 };
 

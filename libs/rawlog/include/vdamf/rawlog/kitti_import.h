@@ -34,6 +34,10 @@ struct KittiImportSummary
     bool stopped = false;               ///< by `progress`; nothing was written
 };
 
+/// Throws std::runtime_error where both outputs are one file. importKittiDrive() checks it too,
+/// before it opens any output.
+void checkPaths(const KittiImport& job);
+
 /// Entries by rising time, stamped as in the recording:
 ///  - CObservationRobotPose `ins`: pose of the vehicle in the world (kittiPoses()), 5 cm, 0.1 deg;
 ///  - CObservationGPS `gps`: GGA with latitude, longitude, altitude;

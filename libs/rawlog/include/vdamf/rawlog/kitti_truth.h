@@ -21,9 +21,10 @@ struct KittiLabel
 };
 
 /// Labels by rising frame, then tracklet; object_id is the tracklet's index. A box is brought to
-/// the world with the trajectory's pose at the time of its scan; the speed is the slope of the
-/// box's world positions over up to three frames on either side, along its heading. Frames where
-/// the trajectory has no pose have no labels.
+/// the world with the trajectory's pose at the time of its scan; `sensor` is the velodyne's
+/// position and the vehicle's heading in that pose; the speed is the slope of the box's world
+/// positions over up to three frames on either side, along its heading. Frames where the trajectory
+/// has no pose have no labels.
 std::vector<KittiLabel> kittiLabels(const KittiDrive& drive,
                                     const std::vector<KittiTracklet>& tracklets,
                                     const InsTrajectory& trajectory);

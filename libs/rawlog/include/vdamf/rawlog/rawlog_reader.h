@@ -21,7 +21,9 @@ struct RawlogEntry
         Object,   ///< read whole
         Null,     ///< a null object
         Unknown,  ///< a class that this MRPT does not know, or bytes up to the next known object
-        Damaged   ///< an object that could not be read, with the bytes up to the next known object
+        Damaged,  ///< an object that could not be read, with the bytes up to the next known object
+        Action    ///< an action or a collection of them, whole but not parsed: a corrupt one can
+                  ///< crash MRPT's parser
     };
     Kind kind = Kind::Object;
     std::string bytes;                               ///< as they stand in the (uncompressed) file
@@ -33,7 +35,7 @@ struct RawlogEntry
 /// What a reader met so far.
 struct RawlogSummary
 {
-    std::uint64_t objects = 0;
+    std::uint64_t objects = 0;  ///< with actions
     std::uint64_t nulls = 0;
     std::uint64_t unknown = 0;
     std::uint64_t damaged = 0;

@@ -13,6 +13,7 @@
 
 #include "vdamf/files/output_file.h"
 #include "vdamf/rawlog/configuration.h"
+#include "vdamf/rawlog/nis_report.h"
 #include "vdamf/rawlog/rawlog_reader.h"
 
 namespace vdamf
@@ -22,35 +23,40 @@ struct TrackRawlogJob
     std::filesystem::path input;
     std::optional<std::filesystem::path> output;  ///< annotated rawlog
     std::optional<std::filesystem::path> tracks;  ///< tracks.csv
+    std::optional<std::filesystem::path> nis;     ///< table of NisReport
     /// Files that the caller writes beside these: checked not to be the input or another output.
     std::vector<std::filesystem::path> otherOutputs;
     OutputFile::Existing existing = OutputFile::Existing::Refuse;
-    /// Frames to track, [first, last). Entries before the first one are copied without
-    /// annotation, entries behind the last one are left out.
+    /// Frames to track, [first, last): stamped scans by rising time, counted from 0. Scans outside
+    /// are not decoded. Entries before the first one are copied without annotation, those from the
+    /// next scan behind the last one on are left out.
     std::uint64_t firstFrame = 0;
     std::uint64_t lastFrame = std::numeric_limits<std::uint64_t>::max();
     Configuration configuration;
     std::string version;  ///< of the program, for the annotation
+    /// Of entries that wait for the first frame, whose time the annotation's head is stamped with;
+    /// beyond, it gets the stamp of the first scan.
+    std::size_t heldBytes = std::size_t{256} << 20;
 };
 
 struct TrackRawlogSummary
 {
     RawlogSummary read;
-    std::uint64_t scans = 0;                 ///< in the rawlog
+    std::uint64_t scans = 0;                 ///< in the range asked for, with a time stamp
     std::uint64_t frames = 0;                ///< tracked and annotated
     std::uint64_t withoutPose = 0;           ///< scans skipped: no INS pose at their time
     std::uint64_t outOfOrder = 0;            ///< scans skipped: not later than the one before
+    std::uint64_t unstamped = 0;             ///< scans skipped: without a time stamp
     std::uint64_t unreadable = 0;            ///< scans skipped: cannot be read
     std::string firstUnreadable;             ///< why
+    std::vector<std::string> sensors;        ///< labels of the scans, the first eight
     std::uint64_t tracksConfirmed = 0;       ///< different identities that were confirmed
     double firstTime = 0.0, lastTime = 0.0;  ///< of the frames, s (UNIX)
     std::string insSource;
     /// Seconds spent: reading (with parsing), scan to world frame, the tracker's stages, writing.
     double readSeconds = 0.0, frameSeconds = 0.0, writeSeconds = 0.0;
     std::array<double, 7> stageSeconds{};  ///< by Stage
-    /// Updates of confirmed tracks, and how many had an NIS below the median and above the 99 %
-    /// point of the chi-square distribution with 3 degrees of freedom.
-    std::uint64_t nisCount = 0, nisBelowMedian = 0, nisAbove99 = 0;
+    NisReport nis;
     bool interrupted = false;
 };
 
@@ -62,11 +68,12 @@ using FrameListener =
 /// trackRawlog() checks it too, before it opens any output.
 void checkPaths(const TrackRawlogJob& job);
 
-/// Runs the job. Memory does not grow with the input: a scan waits for INS poses at most over one
-/// second of entries. Outputs appear under their names when whole; after an error (thrown as
-/// std::runtime_error, its message names the file and the cause) or an interruption the frames
-/// done so far are in `<output>.partial`. `stop`, set from a signal handler, ends the run after
-/// the current frame.
+/// Runs the job. Memory does not grow with the input, but for 8 bytes an update of a track: a scan
+/// waits for INS poses at most over one second of entries, and for earlier scans that stand behind
+/// it in the file over 0.2 seconds. Outputs appear under their names when whole; after an error
+/// (thrown as std::runtime_error, its message names the file and the cause) or an interruption the
+/// frames done so far are in `<output>.partial`. `stop`, set from a signal handler, ends the run
+/// after the current frame.
 TrackRawlogSummary trackRawlog(const TrackRawlogJob& job, const std::atomic<bool>& stop,
                                const FrameListener& listener = {});
 

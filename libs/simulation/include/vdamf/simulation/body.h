@@ -1,53 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The bodies of simulated objects: vehicles with a profile, bushes, trees, poles, walls.
+// The bodies of simulated objects: vehicles with a profile, and what else stands by a road.
 #pragma once
 
 #include <optional>
-#include <utility>
 #include <vector>
 
+#include "vdamf/simulation/object_class.h"
 #include "vdamf/simulation/random_stream.h"
 #include "vdamf/simulation/shapes.h"
-#include "vdamf/tracking/types/options.h"
 
 namespace vdamf
 {
-enum class ObjectClass
-{
-    Car,
-    Van,
-    Truck,
-    Bush,
-    Tree,
-    Pole,
-    Wall,
-    Box
-};
-
-template <>
-struct EnumNames<ObjectClass>
-{
-    static std::vector<std::pair<ObjectClass, const char*>> names()
-    {
-        return {{ObjectClass::Car, "car"},     {ObjectClass::Van, "van"},
-                {ObjectClass::Truck, "truck"}, {ObjectClass::Bush, "bush"},
-                {ObjectClass::Tree, "tree"},   {ObjectClass::Pole, "pole"},
-                {ObjectClass::Wall, "wall"},   {ObjectClass::Box, "box"}};
-    }
-};
-
-bool isVehicle(ObjectClass objectClass);
-
-struct BodySize
-{
-    double length = 0.0;  ///< along the heading, m
-    double width = 0.0;   ///< m
-    double height = 0.0;  ///< m
-};
-
-/// A usual size of the class.
-BodySize typicalSize(ObjectClass objectClass);
-
 /// Leaves: a ray that enters travels an exponentially distributed way before it hits one.
 struct Foliage
 {
@@ -61,13 +24,13 @@ struct Body
 {
     std::vector<ConvexSolid> solids;
     std::vector<UprightCylinder> cylinders;
+    std::vector<Wheel> wheels;
     std::vector<Foliage> foliage;
     double radius = 0.0;  ///< of the upright cylinder around the origin that holds it, m
     double height = 0.0;  ///< of its top, m
 };
 
-/// Throws std::runtime_error where a vehicle is too small for its profile (length 2 m, width
-/// 1 m, height 1 m) or a size is not positive.
+/// Throws std::runtime_error where the size is below leastSizeOf() or not positive.
 Body makeBody(ObjectClass objectClass, const BodySize& size);
 
 /// What a ray in the body's frame meets first. `random` is drawn from for foliage only.

@@ -15,7 +15,9 @@ enum class Material : std::uint8_t
     Foliage,
     Wood,
     Metal,
-    Concrete
+    Concrete,
+    Cloth,
+    Reflector
 };
 
 /// Share of the light that a matt surface of this material sends back, 0..1. Also the intensity
@@ -40,6 +42,10 @@ constexpr double reflectivity(Material material)
             return 0.60;
         case Material::Concrete:
             return 0.35;
+        case Material::Cloth:
+            return 0.30;
+        case Material::Reflector:
+            return 0.95;
     }
     return 0.0;
 }

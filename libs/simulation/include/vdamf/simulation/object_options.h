@@ -21,6 +21,8 @@ struct ObjectOptions
     double height = 0.0;
     double speed = 0.0;  ///< m/s
     std::string segments;
+    std::string towedBy;   ///< name of the object that tows it; empty: it drives by itself
+    double drawbar = 1.5;  ///< from the towing object's rear to its front, m
 
     template <class Self, class Visitor>
     static void visit(Self& self, Visitor&& field)
@@ -34,7 +36,12 @@ struct ObjectOptions
         field(self.height, "height_m", 0.0, 100.0, "0: typical of the class");
         field(self.speed, "speed_mps", -60.0, 60.0, "at the start");
         field(self.segments, "segments",
-              "duration_s acceleration_mps2 curvature_1pm, ... ; straight on where empty");
+              "duration_s acceleration_mps2 curvature_1pm [curvature at the end] or manoeuvres, "
+              "with commas between; straight on where empty");
+        field(self.towedBy, "towed_by",
+              "name of the object in front that tows it; then it has no motion of its own");
+        field(self.drawbar, "drawbar_m", 0.1, 20.0,
+              "from the rear of what tows it to its front; the hitch is at that rear");
     }
 };
 

@@ -23,4 +23,13 @@ private:
     std::mt19937_64 engine_;
 };
 
+/// The index of a stream for a purpose and a number of use (scans, for example).
+constexpr std::uint64_t streamIndex(std::uint64_t purpose, std::uint64_t number)
+{
+    return (purpose << 40) + number;
+}
+
+/// Purposes below it are the sensors of a scenario.
+inline constexpr std::uint64_t kInsStream = 1 << 20;
+
 }  // namespace vdamf

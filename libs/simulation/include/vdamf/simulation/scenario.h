@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A scenario file as a scene, a sensor and a run. Format: apps/vdamf-simulate/README.md.
+// A scenario file as a scene, its sensors and a run. Format: apps/vdamf-simulate/README.md.
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "vdamf/evaluation/tables.h"
@@ -12,28 +13,49 @@
 
 namespace vdamf
 {
+struct SimulatedSensor
+{
+    std::string label;  ///< of its observations
+    SensorOptions options;
+    LadarMount mount;  ///< as `options` say
+
+    /// Scene time at which a scan begins, s.
+    double scanTime(int scan) const { return options.delay + scan / mount.rate; }
+};
+
 struct Scenario
 {
     RunOptions run;
-    SensorOptions sensor;
-    LadarMount mount;  ///< as `sensor` says
+    InsErrorOptions ins;
+    std::vector<SimulatedSensor> sensors;  ///< the first one's scans are the frames
     Scene scene;
 
     int frames() const;
-    /// Scene time at which a frame's revolution begins, s.
-    double frameTime(int frame) const { return frame / run.rate; }
+    /// Scene time at which a frame's scan begins, s.
+    double frameTime(int frame) const { return frame / frameRate(); }
+    /// Frames, 1/s: the scans of the first sensor.
+    double frameRate() const { return sensors.empty() ? run.rate : sensors.front().mount.rate; }
 };
 
 /// Throws IniError that lists the problems, each with file, line and key.
 Scenario readScenario(const IniDocument& document);
 
-/// One frame: the revolution that begins at frameTime(), and the vehicles as they are then.
+struct SimulatedScan
+{
+    std::size_t sensor = 0;  ///< index in the scenario
+    double time = 0.0;       ///< s (UNIX)
+    std::vector<LadarFiring> firings;
+};
+
+/// One frame: all scans that begin from frameTime() to the next one, and the objects as they are
+/// at frameTime().
 struct SimulatedFrame
 {
-    double time = 0.0;  ///< s (UNIX)
-    std::vector<LadarFiring> firings;
-    /// All vehicles of the scene, in the order of the file. World frame of the recording: scene
-    /// axes, origin at the platform's first pose. `points`: returns of this frame.
+    double time = 0.0;                 ///< s (UNIX)
+    std::vector<SimulatedScan> scans;  ///< by time; that of the first sensor first
+    /// All objects of the scene that have a truthClass() and exist then, in the order of the file.
+    /// World frame of the recording: scene axes, origin at the platform's first pose. `points`:
+    /// returns of all scans of this frame. `sensor`: where the first sensor is at the time.
     std::vector<TruthRow> truth;
 };
 

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "vdamf/simulation/spinning_ladar.h"
+#include "vdamf/simulation/ray_caster.h"
 #include "vdamf/tracking/types/options.h"
 
 namespace vdamf
@@ -22,26 +22,64 @@ struct RunOptions
     static void visit(Self& self, Visitor&& field)
     {
         field(self.duration, "duration_s", 0.1, 3600.0, "length of the recording");
-        field(self.rate, "rate_hz", 1.0, 20.0, "revolutions of the LADAR");
-        field(self.startTime, "start_time_s", 0.0, 4e9, "UNIX time of the first revolution");
+        field(self.rate, "rate_hz", 1.0, 20.0, "scans of the LADAR");
+        field(self.startTime, "start_time_s", 0.0, 4e9, "UNIX time of the first scan");
         field(self.insRate, "ins_rate_hz", 1.0, 1000.0, "pose observations of the platform");
         field(self.seed, "seed", 0, 2147483647, "of all that is random");
     }
 };
 
-/// Section [sensor].
+/// Section [ins]: what is wrong with the poses. The truth stays exact.
+struct InsErrorOptions
+{
+    double positionNoise = 0.0;  ///< each axis, white, m
+    double headingNoise = 0.0;   ///< white, rad
+    double tiltNoise = 0.0;      ///< pitch and roll, white, rad
+    double positionBias = 0.0;   ///< each axis, m
+    double headingBias = 0.0;    ///< rad
+    double biasTime = 60.0;      ///< s
+    double lossShare = 0.0;
+    double gapEvery = 10.0;  ///< s
+    double gapLength = 0.0;  ///< s
+
+    template <class Self, class Visitor>
+    static void visit(Self& self, Visitor&& field)
+    {
+        field(self.positionNoise, "position_noise_m", 0.0, 100.0,
+              "standard deviation from pose to pose, each axis");
+        field(self.headingNoise, "heading_noise_deg", 0.0, 30.0,
+              "standard deviation from pose to pose");
+        field(self.tiltNoise, "tilt_noise_deg", 0.0, 30.0,
+              "of pitch and roll, standard deviation from pose to pose");
+        field(self.positionBias, "position_bias_m", 0.0, 100.0,
+              "standard deviation of a slowly drifting error, each axis");
+        field(self.headingBias, "heading_bias_deg", 0.0, 30.0,
+              "standard deviation of a slowly drifting error");
+        field(self.biasTime, "bias_time_s", 0.1, 1e5, "correlation time of the drifting errors");
+        field(self.lossShare, "loss_share", 0.0, 0.99, "share of single poses that are missing");
+        field(self.gapEvery, "gap_every_s", 0.1, 1e5, "time from one gap's end to the next one's");
+        field(self.gapLength, "gap_length_s", 0.0, 1e5, "time without poses; 0: no gaps");
+    }
+};
+
+/// Section [sensor] or [sensor NAME].
 struct SensorOptions
 {
     LadarModel model = LadarModel::HDL32E;
-    double x = 0.0;                          ///< vehicle frame, m
-    double y = 0.0;                          ///< m
-    double z = 2.0;                          ///< above the ground, m
-    double heading = 0.0;                    ///< of azimuth 0 in the vehicle frame, rad
-    double fieldOfView = 6.283185307179586;  ///< centred on azimuth 0, rad
-    double rangeNoise = -1.0;                ///< m
-    double maxRange = -1.0;                  ///< m
-    double halfLossStrength = 0.001;
-    double glassLoss = 0.8;
+    double x = 0.0;            ///< vehicle frame, m
+    double y = 0.0;            ///< m
+    double z = 2.0;            ///< above the ground, m
+    double heading = 0.0;      ///< of azimuth 0 in the vehicle frame, rad
+    double pitch = 0.0;        ///< rad
+    double roll = 0.0;         ///< rad
+    double rate = 0.0;         ///< 1/s
+    double delay = 0.0;        ///< s
+    double fieldOfView = 0.0;  ///< centred on azimuth 0, rad
+    double resolution = 0.0;   ///< rad
+    double rangeNoise = -1.0;  ///< m
+    double maxRange = -1.0;    ///< m
+    double halfLossStrength = -1.0;
+    double glassLoss = LadarMount{}.glassLoss;
     bool instantaneous = true;
 
     template <class Self, class Visitor>
@@ -52,15 +90,22 @@ struct SensorOptions
         field(self.y, "y_m", -20.0, 20.0, "position on the platform, to the left");
         field(self.z, "z_m", 0.1, 20.0, "height above the ground");
         field(self.heading, "heading_deg", -180.0, 180.0, "of the sensor on the platform");
-        field(self.fieldOfView, "field_of_view_deg", 1.0, 360.0,
-              "azimuths around the sensor's heading that are recorded");
+        field(self.pitch, "pitch_deg", -90.0, 90.0, "positive: looks down");
+        field(self.roll, "roll_deg", -180.0, 180.0, "positive: the right side is lower");
+        field(self.rate, "rate_hz", 0.0, 100.0, "scans; 0: as [scenario] says");
+        field(self.delay, "delay_s", 0.0, 10.0, "of its first scan behind the begin");
+        field(self.fieldOfView, "field_of_view_deg", 0.0, 360.0,
+              "azimuths around the sensor's heading that are recorded; 0: as the data sheet says");
+        field(self.resolution, "resolution_deg", 0.0, 5.0,
+              "of a line scanner; 0: as the data sheet says");
         field(self.rangeNoise, "range_noise_m", -1.0, 1.0,
               "standard deviation; negative: as the data sheet says");
         field(self.maxRange, "max_range_m", -1.0, 200.0, "negative: as the data sheet says");
-        field(self.halfLossStrength, "half_loss_strength", 0.0, 10.0,
-              "reflectivity cos(incidence) (10 m / range)^2 at which half of the returns are lost");
+        field(self.halfLossStrength, "half_loss_strength", -1.0, 10.0,
+              "received share of light at which half of the returns are lost; 0: none are; "
+              "negative: as the sensor has it");
         field(self.glassLoss, "glass_loss", 0.0, 1.0, "share of rays onto glass without return");
-        field(self.instantaneous, "instantaneous", "the world stands still during a revolution");
+        field(self.instantaneous, "instantaneous", "the world stands still during a scan");
     }
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Motion segments as text in a scenario file.
+// Motion as text in a scenario file: segments and manoeuvres, one after another.
 #pragma once
 
 #include <string_view>
@@ -9,9 +9,12 @@
 
 namespace vdamf
 {
-/// "duration_s acceleration_mps2 curvature_1pm, ...": three numbers with blanks between them a
-/// segment, segments separated by commas. Empty: none. Throws std::runtime_error that says which
-/// segment is wrong and what was expected.
-std::vector<MotionSegment> parseSegments(std::string_view text);
+/// Items separated by commas, words by blanks. Empty: none. An item is numbers,
+///
+///     duration_s acceleration_mps2 curvature_1pm [curvature_at_the_end_1pm]
+///
+/// or a manoeuvre (manoeuvres.h). `speed` is that at the begin, m/s. Throws std::runtime_error that
+/// says which item is wrong and what was expected.
+std::vector<MotionSegment> parseSegments(std::string_view text, double speed = 0.0);
 
 }  // namespace vdamf

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Solids that a ray can hit: convex polyhedra, upright cylinders, ellipsoids.
+// Solids that a ray can hit: convex polyhedra, cylinders, ellipsoids.
 #pragma once
 
 #include <Eigen/Core>
@@ -47,6 +47,15 @@ struct UprightCylinder
     Material material = Material::Metal;
 };
 
+/// A cylinder whose axis lies along y.
+struct Wheel
+{
+    Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+    double radius = 0.3;  ///< m
+    double width = 0.2;   ///< along y, m
+    Material material = Material::Rubber;
+};
+
 struct Ellipsoid
 {
     Eigen::Vector3d centre = Eigen::Vector3d::Zero();
@@ -63,6 +72,7 @@ struct RayInterval
 // The first surface that the ray meets; nothing where it misses or starts inside.
 std::optional<SurfaceHit> intersect(const ConvexSolid& solid, const Ray& ray);
 std::optional<SurfaceHit> intersect(const UprightCylinder& cylinder, const Ray& ray);
+std::optional<SurfaceHit> intersect(const Wheel& wheel, const Ray& ray);
 
 /// The part of the ray inside the ellipsoid, from 0 where it starts inside.
 std::optional<RayInterval> passage(const Ellipsoid& ellipsoid, const Ray& ray);

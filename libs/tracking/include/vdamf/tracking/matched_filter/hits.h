@@ -18,8 +18,18 @@ struct Hits
     std::vector<double> y;       ///< m
     std::vector<double> weight;  ///< number of hits
     double totalWeight = 0.0;
+    /// Of the hits of each centre about it, m^2: by x, by both, by y. Empty: every centre is one
+    /// hit.
+    std::vector<double> varianceX, covariance, varianceY;
 
     std::size_t size() const { return x.size(); }
+
+    /// Variance of a centre's hits along a direction of unit length, m^2.
+    double varianceAlong(std::size_t i, double dx, double dy) const
+    {
+        if (varianceX.empty()) return 0.0;
+        return dx * dx * varianceX[i] + 2.0 * dx * dy * covariance[i] + dy * dy * varianceY[i];
+    }
 };
 
 /// Projects clusters into the plane and merges the hits of each cell of `cellSize` (m, 0: no

@@ -11,8 +11,9 @@ namespace vdamf
 {
 enum class FilterKind
 {
-    Paper,        ///< Table 1
-    CoarseToFine  ///< Table 1, then the same filter with narrower strips and sigma, twice
+    Paper,         ///< Table 1
+    CoarseToFine,  ///< Table 1, then the same filter with narrower strips and sigma, twice
+    FaceLines      ///< Table 1, then robust lines through the hits of the faces seen
 };
 
 template <>
@@ -20,16 +21,20 @@ struct EnumNames<FilterKind>
 {
     static std::vector<std::pair<FilterKind, const char*>> names()
     {
-        return {{FilterKind::Paper, "paper"}, {FilterKind::CoarseToFine, "coarse_to_fine"}};
+        return {{FilterKind::Paper, "paper"},
+                {FilterKind::CoarseToFine, "coarse_to_fine"},
+                {FilterKind::FaceLines, "face_lines"}};
     }
 };
 
 struct MeasureOptions
 {
-    FilterKind filter = FilterKind::CoarseToFine;
+    FilterKind filter = FilterKind::FaceLines;
     double sigma = 0.2;                        ///< m
     double mergeCell = 0.1;                    ///< m
     double hitSigma = 0.12;                    ///< m
+    double rangeNoise = 0.02;                  ///< m
+    double hiddenFaceSigma = 1.0;              ///< m
     double sizePriorWeight = 0.02;             ///< 1/m^3
     double minFaceAngle = 10.0 * kPi / 180.0;  ///< rad
     int minFaceHits = 5;
@@ -39,7 +44,9 @@ struct MeasureOptions
     template <class Self, class Visitor>
     static void visit(Self& self, Visitor&& field)
     {
-        field(self.filter, "filter", "filter: Table 1 of the paper, or from there twice narrowed");
+        field(
+            self.filter, "filter",
+            "filter: Table 1 of the paper, from there twice narrowed, or from there to the faces");
         field(self.sigma, "sigma_m", 0.02, 1.0,
               "standard deviation of the Gaussian around each hit (Eq. 2)");
         field(
@@ -47,6 +54,10 @@ struct MeasureOptions
             "hits that share a cell of this size count as one Gaussian with their weight; 0: off");
         field(self.hitSigma, "hit_sigma_m", 0.001, 1.0,
               "sigma_p of Eq. 14: effective scatter of one hit about the surface");
+        field(self.rangeNoise, "range_noise_m", 0.001, 1.0,
+              "face_lines: standard deviation of the sensor's ranges");
+        field(self.hiddenFaceSigma, "hidden_face_sigma_m", 0.01, 10.0,
+              "face_lines: error of the place of a face that nothing shows");
         field(
             self.sizePriorWeight, "size_prior_weight", 0.0, 10.0,
             "pull of a track's known size on the fit, response per hit / m^2; 0: as in the paper");

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vdamf-evaluate: how good tracks are, told by the truth.
+#include <CLI/CLI.hpp>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <exception>
+#include <filesystem>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "vdamf/evaluation/evaluation.h"
+#include "vdamf/evaluation/evaluation_json.h"
+#include "vdamf/files/output_file.h"
+#include "vdamf/report/evaluation_plots.h"
+#include "vdamf/report/evaluation_text.h"
+
+namespace
+{
+namespace fs = std::filesystem;
+
+constexpr int kDone = 0;
+constexpr int kFailed = 1;
+constexpr int kBadUse = 2;
+
+struct CommandLine
+{
+    fs::path tracks;
+    fs::path truth;
+    fs::path json;
+    fs::path plots;
+    double regionFovDegrees = 0.0;
+    bool objects = false;
+    bool overwrite = false;
+    vdamf::EvaluationOptions options;
+};
+
+/// An output: where to, and what.
+struct Output
+{
+    fs::path path;
+    std::string content;
+};
+
+void declareScoring(CLI::App& app, CommandLine& line)
+{
+    vdamf::ScoringOptions& scoring = line.options.scoring;
+    app.add_option("--region-fov-deg", line.regionFovDegrees,
+                   "labelled sector ahead of the sensor; 0: all around (KITTI: 80)")
+        ->check(CLI::Range(0.0, 360.0))
+        ->capture_default_str();
+    app.add_option("--max-range-m", scoring.maxRange, "score up to this range; 0: all")
+        ->check(CLI::Range(0.0, 1e4))
+        ->capture_default_str();
+    app.add_option("--min-points", scoring.minPoints, "objects with fewer hits do not count")
+        ->check(CLI::Range(0, 1000000))
+        ->capture_default_str();
+    app.add_option("--overlap", scoring.overlap,
+                   "bird's-eye IoU from which a track has found an object")
+        ->check(CLI::Range(0.01, 1.0))
+        ->capture_default_str();
+    app.add_option("--pair-overlap", line.options.pairOverlap,
+                   "bird's-eye IoU of the pairs whose errors are told")
+        ->check(CLI::Range(0.01, 1.0))
+        ->capture_default_str();
+    app.add_option("--still-speed-mps", line.options.stillSpeed,
+                   "objects slower than this stand still")
+        ->check(CLI::Range(0.0, 100.0))
+        ->capture_default_str();
+    app.add_flag("--vehicles-only", scoring.onlyVehicles,
+                 "drop tracks that the discriminator takes for clutter");
+    app.add_flag("--with-tentative", scoring.withTentative, "score tentative tracks too");
+}
+
+void declare(CLI::App& app, CommandLine& line)
+{
+    app.set_version_flag("--version", std::string("vdamf-evaluate ") + VDAMF_VERSION);
+    app.add_option("--tracks", line.tracks, "table of tracks (csv)")->required();
+    app.add_option("--truth", line.truth, "table of labelled objects (csv)")->required();
+    declareScoring(app, line);
+    app.add_flag("--objects", line.objects, "print a line for each object, too");
+    app.add_option("--json", line.json, "metrics to write (JSON)");
+    app.add_option("--plots", line.plots, "charts to write: one file (*.svg), or a folder");
+    app.add_flag("--overwrite", line.overwrite, "replace existing outputs");
+    app.footer(
+        "Example:\n  vdamf-evaluate --tracks tracks.csv --truth datasets/street/truth.csv "
+        "--plots street.svg");
+}
+
+bool isOnePicture(const fs::path& plots)
+{
+    return plots.extension() == ".svg";
+}
+
+/// Known before the work: a run must not end on a name that cannot be.
+std::vector<fs::path> outputsOf(const CommandLine& line)
+{
+    std::vector<fs::path> outputs;
+    if (!line.json.empty()) outputs.push_back(line.json);
+    if (line.plots.empty()) return outputs;
+    if (isOnePicture(line.plots))
+    {
+        outputs.push_back(line.plots);
+        return outputs;
+    }
+    for (const std::string& name : vdamf::evaluationChartNames())
+        outputs.push_back(line.plots / (name + ".svg"));
+    return outputs;
+}
+
+void checkPaths(const CommandLine& line)
+{
+    const std::vector<fs::path> outputs = outputsOf(line);
+    for (std::size_t i = 0; i < outputs.size(); ++i)
+    {
+        for (const fs::path& input : {line.tracks, line.truth})
+        {
+            const bool same = vdamf::sameFile(outputs[i], input);
+            if (same || vdamf::sameFile(vdamf::partialPathOf(outputs[i]), input))
+                throw std::invalid_argument(outputs[i].string() +
+                                            ": would replace an input; choose another output");
+        }
+        for (std::size_t j = 0; j < i; ++j)
+        {
+            if (vdamf::sameFile(outputs[i], outputs[j]))
+                throw std::invalid_argument(outputs[i].string() + ": is named for two outputs");
+        }
+    }
+    if (!line.plots.empty() && !isOnePicture(line.plots) && fs::exists(line.plots) &&
+        !fs::is_directory(line.plots))
+    {
+        throw std::invalid_argument(line.plots.string() +
+                                    ": is no folder, and does not end in .svg");
+    }
+}
+
+std::vector<Output> contentsOf(const CommandLine& line, const vdamf::Evaluation& evaluation)
+{
+    std::vector<Output> outputs;
+    if (!line.json.empty()) outputs.push_back({line.json, vdamf::toJson(evaluation)});
+    if (line.plots.empty()) return outputs;
+    std::vector<vdamf::Chart> charts;
+    for (const vdamf::NamedChart& named : vdamf::evaluationCharts(evaluation))
+    {
+        charts.push_back(named.chart);
+        if (isOnePicture(line.plots)) continue;
+        outputs.push_back({line.plots / (named.name + ".svg"), vdamf::chartsSvg({named.chart})});
+    }
+    if (isOnePicture(line.plots)) outputs.push_back({line.plots, vdamf::chartsSvg(charts, 3)});
+    return outputs;
+}
+
+void write(const std::vector<Output>& outputs, bool overwrite)
+{
+    using vdamf::OutputFile;
+    const auto existing =
+        overwrite ? OutputFile::Existing::Overwrite : OutputFile::Existing::Refuse;
+    // All of them are opened, and written, before the first one gets its name.
+    std::vector<std::unique_ptr<OutputFile>> files;
+    for (const Output& output : outputs)
+    {
+        files.push_back(
+            std::make_unique<OutputFile>(output.path, existing, OutputFile::Unfinished::Discard));
+        files.back()->write(output.content);
+    }
+    for (const auto& file : files) file->commit();
+}
+
+void print(const std::string& text)
+{
+    const bool whole = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
+    if (!whole || std::fflush(stdout) != 0)
+        throw std::runtime_error(std::string("standard output: ") + std::strerror(errno));
+}
+
+int run(const CommandLine& line)
+{
+    const std::vector<vdamf::TruthRow> truth = vdamf::readTruth(line.truth);
+    const std::vector<vdamf::TrackRow> tracks = vdamf::readTracks(line.tracks);
+    const vdamf::Evaluation evaluation = vdamf::evaluate(truth, tracks, line.options);
+    if (!line.plots.empty() && !isOnePicture(line.plots)) fs::create_directories(line.plots);
+    write(contentsOf(line, evaluation), line.overwrite);
+    std::string text = vdamf::evaluationText(evaluation);
+    if (line.objects) text += "\n" + vdamf::objectsText(evaluation);
+    const bool jsonOnStandardOutput = !line.json.empty() && vdamf::isStandardOutput(line.json);
+    if (!jsonOnStandardOutput) print(text);
+    return kDone;
+}
+
+int mainOf(int argc, char** argv)
+{
+    CLI::App app("Compares tracks with the truth: detection, tracking, errors, consistency.");
+    CommandLine line;
+    declare(app, line);
+    try
+    {
+        app.parse(argc, argv);
+        line.options.scoring.regionFov = line.regionFovDegrees * vdamf::kPi / 180.0;
+        checkPaths(line);
+    }
+    catch (const CLI::ParseError& error)
+    {
+        return app.exit(error) == 0 ? kDone : kBadUse;
+    }
+    catch (const std::invalid_argument& error)
+    {
+        std::fprintf(stderr, "vdamf-evaluate: %s\n", error.what());
+        return kBadUse;
+    }
+    return run(line);
+}
+}  // namespace
+
+int main(int argc, char** argv)
+{
+    try
+    {
+        return mainOf(argc, argv);
+    }
+    catch (const std::exception& error)
+    {
+        std::fprintf(stderr, "vdamf-evaluate: %s\n", error.what());
+        return kFailed;
+    }
+}

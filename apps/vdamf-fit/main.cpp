@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vdamf-fit: the measurement alone, for any clusters of points.
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "fit_table.h"
+#include "vdamf/files/output_file.h"
+#include "vdamf/rawlog/configuration.h"
+
+namespace
+{
+constexpr int kDone = 0;
+constexpr int kFailed = 1;
+constexpr int kBadUse = 2;
+
+struct Cli
+{
+    std::filesystem::path input;
+    std::filesystem::path output;
+    std::filesystem::path config;
+    std::vector<std::string> set;
+    bool overwrite = false;
+    bool quiet = false;
+};
+
+void declare(CLI::App& app, Cli& cli)
+{
+    app.set_version_flag("--version", std::string("vdamf-fit ") + VDAMF_VERSION);
+    app.add_option("-i,--input", cli.input, "clusters to fit (CSV)")->required();
+    app.add_option("-o,--output", cli.output, "fits to write (CSV)")->required();
+    app.add_option("-c,--config", cli.config,
+                   "configuration (ini), of which [measurement] counts; default: built-in values");
+    app.add_option("--set", cli.set, "section.key=value over the configuration (repeatable)")
+        ->allow_extra_args(false);
+    app.add_flag("--overwrite", cli.overwrite, "replace an existing output");
+    app.add_flag("-q,--quiet", cli.quiet, "no summary");
+    app.footer("Example:\n  vdamf-fit -i clusters.csv -o fits.csv");
+}
+
+vdamf::MeasureOptions optionsOf(const Cli& cli)
+{
+    vdamf::IniDocument document = cli.config.empty()
+                                      ? vdamf::IniDocument::parse("", "built-in configuration")
+                                      : vdamf::IniDocument::load(cli.config);
+    for (const std::string& assignment : cli.set) document.set(assignment);
+    return vdamf::readConfiguration(document).tracker.measurement;
+}
+
+struct Tally
+{
+    std::size_t clusters = 0;
+    std::size_t notConverged = 0;
+    std::size_t withoutFit = 0;
+    double fitSeconds = 0.0;
+};
+
+Tally fitAll(const Cli& cli, const vdamf::MeasureOptions& options)
+{
+    using Clock = std::chrono::steady_clock;
+    vdamf::ClusterTable table(cli.input);
+    vdamf::OutputFile file(cli.output,
+                           cli.overwrite ? vdamf::OutputFile::Existing::Overwrite
+                                         : vdamf::OutputFile::Existing::Refuse,
+                           vdamf::OutputFile::Unfinished::Discard);
+    constexpr std::size_t kPiece = 1 << 16;  // bytes written at once
+    std::string text = vdamf::fitsHeader();
+    Tally tally;
+    while (const std::optional<vdamf::TableCluster> cluster = table.next())
+    {
+        const Clock::time_point begin = Clock::now();
+        const vdamf::ClusterFit fit = vdamf::fitCluster(*cluster, options);
+        tally.fitSeconds += std::chrono::duration<double>(Clock::now() - begin).count();
+        ++tally.clusters;
+        if (!fit.measurement) ++tally.withoutFit;
+        if (fit.measurement && !fit.converged) ++tally.notConverged;
+        text += vdamf::toCsv(*cluster, fit);
+        if (text.size() < kPiece) continue;
+        file.write(text);
+        text.clear();
+    }
+    file.write(text);
+    file.commit();
+    return tally;
+}
+
+void summarise(const Cli& cli, const Tally& tally)
+{
+    std::printf("%s\n", cli.output.string().c_str());
+    std::printf("  clusters       %zu\n", tally.clusters);
+    std::printf("  without a fit  %zu\n", tally.withoutFit);
+    std::printf("  not converged  %zu\n", tally.notConverged);
+    std::printf("  time of a fit  %.1f us\n",
+                1e6 * tally.fitSeconds / static_cast<double>(tally.clusters));
+}
+
+int mainOf(int argc, char** argv)
+{
+    CLI::App app("Fits the matched filter to clusters of points: pose, size and covariance.");
+    Cli cli;
+    declare(app, cli);
+    vdamf::MeasureOptions options;
+    try
+    {
+        app.parse(argc, argv);
+        options = optionsOf(cli);
+        if (vdamf::sameFile(cli.input, cli.output))
+            throw std::invalid_argument("-i and -o name the same file");
+    }
+    catch (const CLI::ParseError& error)
+    {
+        return app.exit(error) == 0 ? kDone : kBadUse;
+    }
+    catch (const std::exception& error)
+    {
+        std::fprintf(stderr, "vdamf-fit: %s\n", error.what());
+        return kBadUse;
+    }
+    const Tally tally = fitAll(cli, options);
+    if (!cli.quiet && !vdamf::isStandardOutput(cli.output)) summarise(cli, tally);
+    return kDone;
+}
+}  // namespace
+
+int main(int argc, char** argv)
+{
+    try
+    {
+        return mainOf(argc, argv);
+    }
+    catch (const std::exception& error)
+    {
+        std::fprintf(stderr, "vdamf-fit: %s\n", error.what());
+        return kFailed;
+    }
+}

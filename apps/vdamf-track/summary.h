@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What vdamf-track says at the end of a run.
+#pragma once
+
+#include <algorithm>
+#include <cstdio>
+#include <string>
+
+#include "vdamf/rawlog/track_rawlog.h"
+
+namespace vdamf
+{
+inline std::string joinedInQuotes(const std::vector<std::string>& names)
+{
+    std::string all;
+    for (const std::string& name : names) all += (all.empty() ? "'" : ", '") + name + "'";
+    return all;
+}
+
+/// What was skipped or left out, on stderr.
+inline void warn(const TrackRawlogSummary& s, const std::string& input)
+{
+    const auto line = [&](std::uint64_t count, const std::string& what)
+    {
+        if (count > 0)
+            std::fprintf(stderr, "%s: %llu %s\n", input.c_str(),
+                         static_cast<unsigned long long>(count), what.c_str());
+    };
+    line(s.withoutPose, "scans skipped: no INS pose at their time");
+    line(s.outOfOrder,
+         "scans skipped: not later than the frame before" +
+             (s.sensors.size() > 1 ? "; they come from the sensors " + joinedInQuotes(s.sensors) +
+                                         ": set [scan] label to the one to track on"
+                                   : std::string()));
+    line(s.unstamped, "scans skipped: without a time stamp");
+    line(s.unreadable, "scans skipped: " + s.firstUnreadable);
+    line(s.read.unknown, "entries of unknown classes, copied as they are");
+    line(s.read.damaged, "damaged entries left out");
+    for (const std::string& problem : s.read.problems)
+        std::fprintf(stderr, "  %s\n", problem.c_str());
+}
+
+inline void printConsistency(std::FILE* to, const NisReport& nis)
+{
+    const Consistency& all = nis.all;
+    if (all.count == 0) return;
+    std::fprintf(to, "  %-18s %s\n", "NIS of updates", inWords(all).c_str());
+    std::fprintf(to, "  %-18s %.2f of 1 (95 %% band %.2f to %.2f) over %zu updates\n", "  mean",
+                 all.mean, all.lowerBound, all.upperBound, all.count);
+    std::fprintf(to, "  %-18s %.0f, %.0f, %.0f %% of the updates (expected 68, 95, 99)\n",
+                 "  inside", 100.0 * all.within68, 100.0 * all.within95, 100.0 * all.within99);
+    const auto count = [&](Verdict verdict)
+    {
+        return std::count_if(nis.tracks.begin(), nis.tracks.end(),
+                             [verdict](const TrackNis& t) { return t.verdict == verdict; });
+    };
+    std::fprintf(
+        to,
+        "  %-18s %td consistent, %td over-, %td underconfident, %td heavy-tailed, %td with "
+        "too few updates\n",
+        "  tracks", count(Verdict::Consistent), count(Verdict::Overconfident),
+        count(Verdict::Underconfident), count(Verdict::HeavyTailed), count(Verdict::TooFew));
+    constexpr std::size_t kWorstShown = 3;
+    const char* title = "  worst";
+    for (const TrackNis& track : worstOf(nis, kWorstShown))
+    {
+        std::fprintf(to, "  %-18s track %llu: mean %.2f over %zu updates, %s\n", title,
+                     static_cast<unsigned long long>(track.trackId), track.nis.mean,
+                     track.nis.count, verdictName(track.verdict));
+        title = "";
+    }
+}
+
+inline void printTimes(std::FILE* to, const TrackRawlogSummary& s)
+{
+    const auto perFrame = [&](double seconds)
+    { return 1e3 * seconds / static_cast<double>(std::max<std::uint64_t>(1, s.frames)); };
+    const auto ms = [&](const char* name, double seconds)
+    { std::fprintf(to, "  %-18s %8.2f ms\n", name, perFrame(seconds)); };
+    std::fprintf(to, "\n  per frame\n");
+    ms("reading", s.readSeconds);
+    ms("to world frame", s.frameSeconds);
+    double tracking = s.frameSeconds;
+    for (std::size_t k = 0; k < s.stageSeconds.size(); ++k)
+    {
+        ms(toString(static_cast<Stage>(k)), s.stageSeconds[k]);
+        tracking += s.stageSeconds[k];
+    }
+    ms("writing", s.writeSeconds);
+    ms("tracking, all", tracking);
+}
+
+inline void printSummary(std::FILE* to, const TrackRawlogSummary& s)
+{
+    const auto row = [to](const char* name, const std::string& value)
+    { std::fprintf(to, "  %-18s %s\n", name, value.c_str()); };
+    std::fprintf(to, "\n");
+    row("frames", std::to_string(s.frames) + " of " + std::to_string(s.scans) + " scans");
+    row("objects confirmed", std::to_string(s.tracksConfirmed));
+    row("INS poses", s.insSource);
+    printConsistency(to, s.nis);
+    printTimes(to, s);
+}
+
+}  // namespace vdamf

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Accuracy and time of the measurement, ours and published ones, side by side in one run.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <iterator>
+#include <stdexcept>
+
+#include "measurement/case_table.h"
+#include "measurement/dot_plot.h"
+#include "measurement/recorded.h"
+#include "measurement/simulated.h"
+#include "measurement/tables.h"
+#include "vdamf/files/ini.h"
+#include "vdamf/files/output_file.h"
+
+namespace
+{
+namespace fs = std::filesystem;
+
+struct Cli
+{
+    int clusters = 200;
+    std::uint64_t seed = 1;
+    std::string data;
+    std::string out;
+    std::vector<std::string> only;
+    std::vector<std::string> fits;
+    std::vector<std::string> set;
+    bool noTiming = false;
+};
+
+void declare(CLI::App& app, Cli& cli)
+{
+    app.add_option("--clusters", cli.clusters, "clusters a condition")
+        ->check(CLI::Range(1, 1000000))
+        ->capture_default_str();
+    app.add_option("--seed", cli.seed, "seed of everything drawn at random")->capture_default_str();
+    app.add_option("--data", cli.data, "folder with unpacked KITTI raw drives with tracklets");
+    app.add_option("--out", cli.out,
+                   "folder for measurement.csv, .md, .svg, cases.csv, timing.csv");
+    app.add_option("--only", cli.only, "conditions to run, by commas")->delimiter(',');
+    app.add_option("--fits", cli.fits, "methods to run, by commas")->delimiter(',');
+    app.add_option("--set", cli.set, "measurement.key=value for all our fits (repeatable)")
+        ->allow_extra_args(false);
+    app.add_flag("--no-timing", cli.noTiming, "leave out the table of times by number of hits");
+    app.footer(
+        "Example:\n  vdamf_benchmark_measurement --only clean,car --fits "
+        "coarse_to_fine,closeness");
+}
+
+bool wanted(const std::vector<std::string>& names, const std::string& name)
+{
+    return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
+}
+
+// Throws where a name of the command line is not among those that exist.
+void requireKnown(const std::vector<std::string>& asked, const std::vector<std::string>& known,
+                  const std::string& option)
+{
+    for (const std::string& name : asked)
+    {
+        if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+        std::string list;
+        for (const std::string& one : known) list += " " + one;
+        throw std::invalid_argument(option + " " + name + ": unknown; there are" + list);
+    }
+}
+
+std::vector<vdamf::Method> methodsOf(const Cli& cli)
+{
+    vdamf::IniDocument document = vdamf::IniDocument::parse("", "built-in configuration");
+    for (const std::string& assignment : cli.set) document.set(assignment);
+    vdamf::MeasureOptions options;
+    vdamf::IniReader reader(document);
+    reader.read("measurement", options);
+    reader.finish();
+    std::vector<vdamf::Method> methods;
+    std::vector<std::string> names;
+    for (vdamf::Method& method : vdamf::allMethods(options))
+    {
+        names.push_back(method.name);
+        if (wanted(cli.fits, method.name)) methods.push_back(std::move(method));
+    }
+    requireKnown(cli.fits, names, "--fits");
+    return methods;
+}
+
+std::vector<vdamf::Condition> conditionsOf(const Cli& cli)
+{
+    std::vector<std::string> names = {"drive_label", "drive_cluster"};
+    for (const vdamf::SimulatedKind& kind : vdamf::simulatedKinds()) names.push_back(kind.name);
+    requireKnown(cli.only, names, "--only");
+    std::vector<vdamf::Condition> all;
+    for (const vdamf::SimulatedKind& kind : vdamf::simulatedKinds())
+    {
+        if (wanted(cli.only, kind.name))
+            all.push_back(vdamf::simulatedCondition(kind, cli.clusters, cli.seed));
+    }
+    if (!wanted(cli.only, names[0]) && !wanted(cli.only, names[1])) return all;
+    if (cli.data.empty())
+    {
+        std::printf("no real drives: --data names a folder with unpacked KITTI raw drives\n");
+        return all;
+    }
+    for (vdamf::Condition& condition : vdamf::recordedConditions(cli.data, cli.clusters, cli.seed))
+        if (wanted(cli.only, condition.name)) all.push_back(std::move(condition));
+    return all;
+}
+
+// Results of a run, for the files.
+struct Results
+{
+    std::vector<vdamf::Summary> rows;
+    std::string cases = vdamf::casesHeader();
+};
+
+vdamf::Summary measured(const vdamf::Condition& condition, const vdamf::Method& method,
+                        Results& results)
+{
+    std::vector<vdamf::CaseErrors> errors;
+    std::vector<double> hits;
+    for (const vdamf::Sample& sample : condition.samples)
+    {
+        errors.push_back(vdamf::errorsOf(method.estimate(sample), sample));
+        hits.push_back(static_cast<double>(sample.cluster.size()));
+        results.cases +=
+            vdamf::caseLine(condition.name, method.name, errors.size() - 1, sample, errors.back());
+    }
+    vdamf::Summary summary = vdamf::summaryOf(errors);
+    summary.condition = condition.name;
+    summary.method = method.name;
+    summary.medianHits = vdamf::quantile(hits, 0.5);
+    summary.microseconds = vdamf::microsecondsPerEstimate(method, condition.samples, 0.0);
+    return summary;
+}
+
+// What the picture has room for: the filters and the first two baselines.
+std::vector<vdamf::Summary> pictured(const std::vector<vdamf::Summary>& rows)
+{
+    const auto isLeftOut = [](const vdamf::Summary& row)
+    {
+        const bool isVariant =
+            row.method.rfind("nlopt_", 0) == 0 || row.method.find("+sizes") != std::string::npos;
+        return isVariant || row.method == "minimum_area" || row.method == "pca";
+    };
+    std::vector<vdamf::Summary> kept;
+    std::remove_copy_if(rows.begin(), rows.end(), std::back_inserter(kept), isLeftOut);
+    return kept;
+}
+
+void writeFile(const fs::path& path, const std::string& text)
+{
+    vdamf::OutputFile file(path, vdamf::OutputFile::Existing::Overwrite,
+                           vdamf::OutputFile::Unfinished::Discard);
+    file.write(text);
+    file.commit();
+}
+
+int run(const Cli& cli)
+{
+    const std::vector<vdamf::Method> methods = methodsOf(cli);
+    if (!cli.out.empty()) fs::create_directories(cli.out);
+    std::printf("%s", vdamf::legend().c_str());
+    Results results;
+    for (const vdamf::Condition& condition : conditionsOf(cli))
+    {
+        std::vector<vdamf::Summary> block;
+        for (const vdamf::Method& method : methods)
+            block.push_back(measured(condition, method, results));
+        std::printf("%s", vdamf::terminalBlock(condition, block).c_str());
+        std::fflush(stdout);
+        results.rows.insert(results.rows.end(), block.begin(), block.end());
+    }
+    vdamf::Timing timing;
+    if (!cli.noTiming)
+    {
+        timing = vdamf::timed(methods, {30, 100, 300, 1000, 3000}, cli.seed);
+        std::printf("%s", vdamf::terminalTiming(timing).c_str());
+    }
+    if (cli.out.empty()) return 0;
+    const fs::path out = cli.out;
+    writeFile(out / "measurement.csv", vdamf::toCsv(results.rows));
+    writeFile(out / "measurement.md", vdamf::markdownPage(results.rows, timing));
+    writeFile(out / "measurement.svg", vdamf::dotPlot(pictured(results.rows)));
+    writeFile(out / "cases.csv", results.cases);
+    if (!cli.noTiming) writeFile(out / "timing.csv", vdamf::timingCsv(timing));
+    return 0;
+}
+}  // namespace
+
+int main(int argc, char** argv)
+{
+    CLI::App app("Accuracy and time of the measurement, beside published ways to fit a box.");
+    Cli cli;
+    declare(app, cli);
+    CLI11_PARSE(app, argc, argv);
+    try
+    {
+        return run(cli);
+    }
+    catch (const std::exception& error)
+    {
+        std::fprintf(stderr, "vdamf_benchmark_measurement: %s\n", error.what());
+        return 1;
+    }
+}

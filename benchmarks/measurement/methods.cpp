@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "measurement/methods.h"
+
+#include <algorithm>
+
+#include "measurement/baselines.h"
+
+namespace vdamf
+{
+namespace
+{
+enum class From
+{
+    Nothing,
+    Start,
+    StartAndSizes
+};
+
+// As in the tracker: what is low is a car, trucks and buses are wider.
+double widestEnd(const Cluster& cluster)
+{
+    const double top = *std::max_element(cluster.height.begin(), cluster.height.end());
+    return top < 2.2 ? 2.15 : 2.7;
+}
+
+Method fitOf(const std::string& name, const MeasureOptions& options, From from)
+{
+    const auto estimate = [options, from](const Sample& sample)
+    {
+        const Hits hits = projectHits(sample.cluster, options.mergeCell);
+        const OrientedBox start =
+            from == From::Nothing
+                ? startBox(hits, sample.sensor, widestEnd(sample.cluster), options.fit)
+                : sample.start;
+        std::optional<Eigen::Vector2d> known;
+        if (from == From::StartAndSizes) known.emplace(start.length, start.width);
+        const Measurement m = measureTarget(hits, sample.sensor, start, options, known);
+        return Estimate{m.box, m};
+    };
+    return {name, false, estimate};
+}
+
+template <class Baseline>
+Method baselineOf(const std::string& name, Baseline&& baseline)
+{
+    const auto estimate = [baseline](const Sample& sample)
+    {
+        const auto n = static_cast<Eigen::Index>(sample.cluster.size());
+        PlanePoints points(2, n);
+        points.row(0) =
+            Eigen::Map<const Eigen::RowVectorXf>(sample.cluster.x.data(), n).cast<double>();
+        points.row(1) =
+            Eigen::Map<const Eigen::RowVectorXf>(sample.cluster.y.data(), n).cast<double>();
+        return Estimate{baseline(points), std::nullopt};
+    };
+    return {name, true, estimate};
+}
+}  // namespace
+
+std::vector<Method> allMethods(const MeasureOptions& options)
+{
+    std::vector<Method> methods;
+    const auto add = [&methods](std::string name, const MeasureOptions& own, From from)
+    {
+        if (from == From::Start) name += "+start";
+        if (from == From::StartAndSizes) name += "+sizes";
+        methods.push_back(fitOf(name, own, from));
+    };
+    for (const From from : {From::Start, From::StartAndSizes, From::Nothing})
+    {
+        for (const auto& [filter, name] : EnumNames<FilterKind>::names())
+        {
+            MeasureOptions own = options;
+            own.filter = filter;
+            add(name, own, from);
+        }
+        if (from == From::StartAndSizes) continue;
+        for (const auto& [optimizer, name] : EnumNames<Optimizer>::names())
+        {
+            if (optimizer == options.fit.optimizer) continue;
+            MeasureOptions own = options;
+            own.fit.optimizer = optimizer;
+            add(name, own, from);
+        }
+    }
+    methods.push_back(baselineOf("closeness", lShapeByCloseness));
+    methods.push_back(baselineOf("variance", lShapeByVariance));
+    methods.push_back(baselineOf("minimum_area", minimumAreaBox));
+    methods.push_back(baselineOf("pca", principalAxisBox));
+    return methods;
+}
+
+}  // namespace vdamf

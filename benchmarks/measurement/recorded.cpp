@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "measurement/recorded.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "vdamf/rawlog/kitti_drive.h"
+#include "vdamf/rawlog/kitti_tracklets.h"
+#include "vdamf/tracking/preprocessing/clustering.h"
+#include "vdamf/tracking/preprocessing/ground.h"
+
+namespace vdamf
+{
+namespace
+{
+namespace fs = std::filesystem;
+
+constexpr std::size_t kLeastHits = 10;  // as in the tracker
+constexpr double kGrown = 0.3;          // m
+
+// Both samples of one label; their clusters may be too small.
+struct LabelSamples
+{
+    Sample label;
+    Sample cluster;
+};
+
+bool isInside(const OrientedBox& box, float x, float y, double grown)
+{
+    const Eigen::Vector2d p = toBoxFrame(box, {x, y});
+    return std::abs(p.x()) < 0.5 * box.length + grown && std::abs(p.y()) < 0.5 * box.width + grown;
+}
+
+Cluster hitsInside(const LadarFrame& frame, const AboveGround& above, const OrientedBox& box)
+{
+    Cluster hits;
+    for (std::size_t k = 0; k < above.index.size(); ++k)
+    {
+        const std::size_t i = above.index[k];
+        if (!isInside(box, frame.points.x[i], frame.points.y[i], kGrown)) continue;
+        hits.x.push_back(frame.points.x[i]);
+        hits.y.push_back(frame.points.y[i]);
+        hits.z.push_back(frame.points.z[i]);
+        hits.height.push_back(above.height[k]);
+    }
+    return hits;
+}
+
+Cluster mostInside(const std::vector<Cluster>& clusters, const OrientedBox& box)
+{
+    Cluster best;
+    std::size_t most = 0;
+    for (const Cluster& cluster : clusters)
+    {
+        std::size_t inside = 0;
+        for (std::size_t i = 0; i < cluster.size(); ++i)
+            if (isInside(box, cluster.x[i], cluster.y[i], 0.0)) ++inside;
+        if (inside <= most) continue;
+        most = inside;
+        best = cluster;
+    }
+    return best;
+}
+
+std::vector<OrientedBox> vehiclesAt(const std::vector<KittiTracklet>& tracklets, std::size_t frame)
+{
+    std::vector<OrientedBox> boxes;
+    for (const KittiTracklet& tracklet : tracklets)
+    {
+        const std::string& kind = tracklet.objectClass;
+        if (kind != "Car" && kind != "Van" && kind != "Truck") continue;
+        if (frame < tracklet.firstFrame) continue;
+        const std::size_t k = frame - tracklet.firstFrame;
+        if (k >= tracklet.poses.size()) continue;
+        const KittiTrackletPose& pose = tracklet.poses[k];
+        boxes.push_back({pose.x, pose.y, pose.heading, tracklet.length, tracklet.width});
+    }
+    return boxes;
+}
+
+std::vector<LabelSamples> samplesOf(const fs::path& folder)
+{
+    const KittiDrive drive = readKittiDrive(folder);
+    const std::vector<KittiTracklet> tracklets =
+        readKittiTracklets(folder / "tracklet_labels.xml", drive.scans.size());
+    std::vector<LabelSamples> all;
+    for (std::size_t k = 0; k < drive.scans.size(); ++k)
+    {
+        const std::vector<OrientedBox> boxes = vehiclesAt(tracklets, k);
+        if (boxes.empty()) continue;
+        // The velodyne's own frame: level enough, and the labels are in it.
+        LadarFrame frame;
+        frame.points = readKittiScan(drive.scans[k].path);
+        const AboveGround above = removeGround(frame, GroundOptions{});
+        const std::vector<Cluster> clusters = clusterPoints(frame, above, ClusterOptions{});
+        for (const OrientedBox& box : boxes)
+        {
+            LabelSamples both;
+            both.label.truth = both.cluster.truth = box;
+            both.label.cluster = hitsInside(frame, above, box);
+            both.cluster.cluster = mostInside(clusters, box);
+            all.push_back(std::move(both));
+        }
+    }
+    return all;
+}
+
+void complete(Condition& condition, int count, std::uint64_t seed)
+{
+    std::vector<Sample>& samples = condition.samples;
+    const std::size_t all = samples.size();
+    const std::size_t wanted = std::min(all, static_cast<std::size_t>(count));
+    for (std::size_t k = 0; k < wanted; ++k) samples[k] = samples[k * all / wanted];
+    samples.resize(wanted);
+    for (std::size_t k = 0; k < wanted; ++k)
+    {
+        Sample& sample = samples[k];
+        sample.start = perturbed(sample.truth, seed, k);
+        sample.inView = facesInView(sample.cluster, sample.truth, sample.sensor);
+    }
+}
+}  // namespace
+
+std::vector<Condition> recordedConditions(const fs::path& folder, int count, std::uint64_t seed)
+{
+    std::vector<fs::path> drives;
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
+        if (entry.path().filename() == "tracklet_labels.xml")
+            drives.push_back(entry.path().parent_path());
+    if (drives.empty())
+    {
+        throw std::runtime_error(folder.string() +
+                                 ": no drive with tracklet_labels.xml in it; unpack KITTI raw "
+                                 "drives with their tracklets there");
+    }
+    std::sort(drives.begin(), drives.end());
+    std::vector<Condition> both = {
+        {"drive_label", "real drives, hits in the label's box grown by 0.3 m", {}},
+        {"drive_cluster", "real drives, whole cluster of the preprocessing", {}}};
+    for (const fs::path& drive : drives)
+    {
+        for (LabelSamples& one : samplesOf(drive))
+        {
+            if (one.label.cluster.size() >= kLeastHits) both[0].samples.push_back(one.label);
+            if (one.cluster.cluster.size() >= kLeastHits) both[1].samples.push_back(one.cluster);
+        }
+    }
+    for (Condition& condition : both) complete(condition, count, seed);
+    return both;
+}
+
+}  // namespace vdamf

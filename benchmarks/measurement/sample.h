@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the measurement benchmark measures on: the hits of one vehicle with its true box.
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "vdamf/tracking/types/cluster.h"
+#include "vdamf/tracking/types/faces.h"
+#include "vdamf/tracking/types/geometry.h"
+
+namespace vdamf
+{
+struct Sample
+{
+    Cluster cluster;                                   ///< m, with height above the ground
+    Eigen::Vector2d sensor = Eigen::Vector2d::Zero();  ///< in the frame of the hits, m
+    OrientedBox truth;                                 ///< in the frame of the hits
+    FaceSet inView;     ///< faces of the true box that hits can tell of, see facesInView()
+    OrientedBox start;  ///< the true box, perturbed: what a track would predict
+};
+
+/// Samples of one kind.
+struct Condition
+{
+    std::string name;
+    std::string description;
+    std::vector<Sample> samples;
+};
+
+/// Faces of the true box that the sensor looks at from more than 10 degrees and that at least five
+/// hits lie within 0.4 m of, not counting those which are as close to another such face.
+FaceSet facesInView(const Cluster& cluster, const OrientedBox& truth,
+                    const Eigen::Vector2d& sensor);
+
+/// A start with Gaussian errors of 0.3 m in x and y, 8 degrees, 0.3 m in length and width; the
+/// same for the same seed and index.
+OrientedBox perturbed(const OrientedBox& truth, std::uint64_t seed, std::uint64_t index);
+
+}  // namespace vdamf

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "measurement/tables.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "measurement/columns.h"
+#include "vdamf/files/numbers.h"
+
+namespace vdamf
+{
+namespace
+{
+constexpr std::size_t kMethodWidth = 20;
+
+std::string padded(const std::string& text)
+{
+    return text + std::string(kMethodWidth - std::min(kMethodWidth, text.size()), ' ');
+}
+
+std::string rightAligned(const std::string& text, int width)
+{
+    const auto characters = static_cast<std::size_t>(width);
+    return std::string(characters - std::min(characters, text.size()), ' ') + text;
+}
+
+std::string number(double value, int decimals)
+{
+    return std::isfinite(value) ? toFixedText(value, decimals) : "";
+}
+
+// Times of closeness, to compare with; nothing where it was not timed.
+const TimingRow* yardstick(const Timing& timing)
+{
+    for (const TimingRow& row : timing.rows)
+        if (row.method == "closeness") return &row;
+    return nullptr;
+}
+
+std::string markdownTiming(const Timing& timing)
+{
+    std::string page = "\n## Time of one estimate, microseconds\n\n| method |";
+    for (const int hits : timing.hits) page += " " + std::to_string(hits) + " hits |";
+    page += "\n|---|";
+    for (std::size_t i = 0; i < timing.hits.size(); ++i) page += "---:|";
+    page += "\n";
+    for (const TimingRow& row : timing.rows)
+    {
+        page += "| " + row.method + " |";
+        for (const double time : row.microseconds) page += " " + number(time, 1) + " |";
+        page += "\n";
+    }
+    return page;
+}
+
+std::string markdownHead(const Summary& first)
+{
+    std::string head = "\n## " + first.condition + " (" + std::to_string(first.cases) +
+                       " clusters, median " + number(first.medianHits, 0) + " hits)\n\n| method |";
+    std::string line = "|---|";
+    for (const Column& column : columns())
+    {
+        if (*column.heading == '\0') continue;
+        head += std::string(" ") + column.heading + " |";
+        line += "---:|";
+    }
+    return head + "\n" + line + "\n";
+}
+}  // namespace
+
+std::string terminalBlock(const Condition& condition, const std::vector<Summary>& rows)
+{
+    std::string block = "\n" + condition.name + ": " + condition.description;
+    if (rows.empty()) return block + "\n";
+    block += "; " + std::to_string(rows.front().cases) + " clusters, median " +
+             number(rows.front().medianHits, 0) + " hits\n" + padded("");
+    for (const Column& column : columns())
+        if (*column.heading != '\0') block += rightAligned(column.heading, column.width);
+    block += "\n";
+    for (const Summary& row : rows)
+    {
+        block += padded(row.method);
+        for (const Column& column : columns())
+        {
+            if (*column.heading != '\0')
+                block += cell(column.value(row), column.decimals, column.width);
+        }
+        block += "\n";
+    }
+    return block;
+}
+
+std::string legend()
+{
+    return "hdg: heading error to the nearest axis of the true box, deg; cross%: share taken "
+           "across "
+           "(length for width)\n"
+           "corner: of the true corner nearest to the sensor, m; end, side: place of the face in "
+           "view, m; +-: median\n"
+           "of the signed error (outwards positive), |.|: median of its size; len, wid: where an "
+           "end and a side are in view\n"
+           "IoU: median and 10th percentile; NEES: mean by dimension, of heading and faces seen "
+           "(1 is right, with its 95 % band); scale: factor\n"
+           "on the covariance that makes its median right; 68% 95% 99%: share inside; iter: "
+           "median; us: microseconds\n";
+}
+
+std::string toCsv(const std::vector<Summary>& rows)
+{
+    std::string table = "condition,method,clusters,hits_median";
+    for (const Column& column : columns()) table += std::string(",") + column.name;
+    table += "\n";
+    for (const Summary& row : rows)
+    {
+        table += row.condition + "," + row.method + "," + std::to_string(row.cases) + "," +
+                 number(row.medianHits, 1);
+        for (const Column& column : columns()) table += "," + number(column.value(row), 4);
+        table += "\n";
+    }
+    return table;
+}
+
+std::string terminalTiming(const Timing& timing)
+{
+    constexpr int kWidth = 16;
+    const TimingRow* closeness = yardstick(timing);
+    std::string block = "\ntime of one estimate, us (in brackets: to closeness), by hits\n";
+    block += padded("");
+    for (const int hits : timing.hits) block += rightAligned(std::to_string(hits), kWidth);
+    block += "\n";
+    for (const TimingRow& row : timing.rows)
+    {
+        block += padded(row.method);
+        for (std::size_t i = 0; i < row.microseconds.size(); ++i)
+        {
+            std::string text = number(row.microseconds[i], 1);
+            if (closeness != nullptr)
+                text += " (" + number(row.microseconds[i] / closeness->microseconds[i], 2) + ")";
+            block += rightAligned(text, kWidth);
+        }
+        block += "\n";
+    }
+    return block;
+}
+
+std::string timingCsv(const Timing& timing)
+{
+    std::string table = "method,hits,time_us\n";
+    for (const TimingRow& row : timing.rows)
+    {
+        for (std::size_t i = 0; i < row.microseconds.size(); ++i)
+            table += row.method + "," + std::to_string(timing.hits[i]) + "," +
+                     number(row.microseconds[i], 3) + "\n";
+    }
+    return table;
+}
+
+std::string markdownPage(const std::vector<Summary>& rows, const Timing& timing)
+{
+    std::string page = "# Measurement: fits and baselines\n\n```\n" + legend() + "```\n";
+    std::string condition;
+    for (const Summary& row : rows)
+    {
+        if (row.condition != condition) page += markdownHead(row);
+        condition = row.condition;
+        page += "| " + row.method + " |";
+        for (const Column& column : columns())
+        {
+            if (*column.heading != '\0')
+                page += " " + number(column.value(row), column.decimals) + " |";
+        }
+        page += "\n";
+    }
+    if (!timing.rows.empty()) page += markdownTiming(timing);
+    return page;
+}
+
+}  // namespace vdamf

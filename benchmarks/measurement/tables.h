@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The results as text: for the terminal, as CSV, as Markdown.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "measurement/sample.h"
+#include "measurement/summary.h"
+#include "measurement/timing.h"
+
+namespace vdamf
+{
+/// One condition: a headline, a line of headings, a line a method.
+std::string terminalBlock(const Condition& condition, const std::vector<Summary>& rows);
+
+/// What the short headings of the tables mean.
+std::string legend();
+
+std::string toCsv(const std::vector<Summary>& rows);
+
+std::string terminalTiming(const Timing& timing);
+std::string timingCsv(const Timing& timing);
+
+/// All tables as one Markdown page.
+std::string markdownPage(const std::vector<Summary>& rows, const Timing& timing);
+
+}  // namespace vdamf

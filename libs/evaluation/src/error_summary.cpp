@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vdamf/evaluation/error_summary.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <utility>
+
+namespace vdamf
+{
+namespace
+{
+using Condition = std::function<bool(const PoseError&)>;
+
+std::vector<double> valuesOf(const std::vector<PoseError>& errors, double PoseError::*member)
+{
+    std::vector<double> values;
+    values.reserve(errors.size());
+    for (const PoseError& error : errors) values.push_back(error.*member);
+    return values;
+}
+
+std::vector<double> valuesOf(const std::vector<PoseError>& errors,
+                             std::optional<double> PoseError::*member)
+{
+    std::vector<double> values;
+    for (const PoseError& error : errors)
+    {
+        if (error.*member) values.push_back(*(error.*member));
+    }
+    return values;
+}
+
+std::vector<ErrorGroup> grouped(const std::vector<PoseError>& errors,
+                                const std::vector<std::pair<std::string, Condition>>& conditions)
+{
+    std::vector<ErrorGroup> groups;
+    for (const auto& [name, holds] : conditions)
+    {
+        std::vector<PoseError> members;
+        for (const PoseError& error : errors)
+        {
+            if (holds(error)) members.push_back(error);
+        }
+        groups.push_back({name, summaryOf(members)});
+    }
+    return groups;
+}
+
+Condition rangeFrom(double low, double high)
+{
+    return [=](const PoseError& e) { return e.range && *e.range >= low && *e.range < high; };
+}
+
+Condition pointsFrom(int low, int high)
+{
+    return [=](const PoseError& e) { return e.points >= low && e.points <= high; };
+}
+
+Condition facesAre(bool end, bool side)
+{
+    return [=](const PoseError& e)
+    { return e.facesSeen.seesEnd() == end && e.facesSeen.seesSide() == side; };
+}
+}  // namespace
+
+ErrorSummary summaryOf(const std::vector<PoseError>& errors)
+{
+    const auto of = [&](auto member) { return statisticsOf(valuesOf(errors, member)); };
+    ErrorSummary result;
+    result.pairs = errors.size();
+    for (const PoseError& error : errors) result.flips += error.flipped ? 1U : 0U;
+    result.position = of(&PoseError::position);
+    result.longitudinal = of(&PoseError::longitudinal);
+    result.lateral = of(&PoseError::lateral);
+    result.corner = of(&PoseError::corner);
+    result.heading = of(&PoseError::heading);
+    result.headingAxis = of(&PoseError::headingAxis);
+    result.speed = of(&PoseError::speed);
+    result.yawRate = of(&PoseError::yawRate);
+    result.length = of(&PoseError::length);
+    result.width = of(&PoseError::width);
+    result.overlap = of(&PoseError::overlap);
+    return result;
+}
+
+std::vector<ErrorGroup> byRange(const std::vector<PoseError>& errors)
+{
+    constexpr double kFar = std::numeric_limits<double>::infinity();
+    return grouped(errors, {{"0-10", rangeFrom(0.0, 10.0)},
+                            {"10-20", rangeFrom(10.0, 20.0)},
+                            {"20-40", rangeFrom(20.0, 40.0)},
+                            {"40-60", rangeFrom(40.0, 60.0)},
+                            {"60+", rangeFrom(60.0, kFar)}});
+}
+
+std::vector<ErrorGroup> byPoints(const std::vector<PoseError>& errors)
+{
+    constexpr int kMany = std::numeric_limits<int>::max();
+    return grouped(errors, {{"0-19", pointsFrom(0, 19)},
+                            {"20-49", pointsFrom(20, 49)},
+                            {"50-199", pointsFrom(50, 199)},
+                            {"200+", pointsFrom(200, kMany)}});
+}
+
+std::vector<ErrorGroup> byFaces(const std::vector<PoseError>& errors)
+{
+    return grouped(errors, {{"end only", facesAre(true, false)},
+                            {"side only", facesAre(false, true)},
+                            {"both", facesAre(true, true)},
+                            {"none", facesAre(false, false)}});
+}
+
+std::size_t flipsOfMoving(const std::vector<PoseError>& errors, double stillSpeed)
+{
+    return static_cast<std::size_t>(std::count_if(
+        errors.begin(), errors.end(),
+        [&](const PoseError& e) { return e.flipped && std::abs(e.trueSpeed) >= stillSpeed; }));
+}
+
+ErrorStatistics phantomSpeed(const std::vector<PoseError>& errors, double stillSpeed)
+{
+    std::vector<double> speeds;
+    for (const PoseError& error : errors)
+    {
+        if (std::abs(error.trueSpeed) < stillSpeed) speeds.push_back(error.trackSpeed);
+    }
+    return statisticsOf(speeds);
+}
+
+}  // namespace vdamf

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Does the tracker know how good it is? Told from the normalised innovations squared (NIS) of its
+// updates, without truth.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "vdamf/evaluation/consistency.h"
+#include "vdamf/tracking/types/track.h"
+
+namespace vdamf
+{
+struct TrackNis
+{
+    std::uint64_t trackId = 0;
+    Consistency nis;  ///< of its updates, 3 degrees of freedom
+    Verdict verdict = Verdict::TooFew;
+};
+
+struct NisReport
+{
+    Consistency all;               ///< of the updates of all confirmed tracks
+    std::vector<TrackNis> tracks;  ///< by rising id
+};
+
+/// Gathers the NIS of the updates of confirmed tracks: 8 bytes an update.
+class NisCollector
+{
+public:
+    void add(const FrameResult& frame);
+    NisReport report() const;
+
+private:
+    std::map<std::uint64_t, std::vector<double>> byTrack_;
+};
+
+/// Tracks with as many updates as a verdict needs that are not consistent, at most `most` of them:
+/// first those with a mean above 1, by falling mean, then the others, by rising mean.
+std::vector<TrackNis> worstOf(const NisReport& report, std::size_t most);
+
+/// too_few, consistent, overconfident, underconfident, heavy_tailed.
+const char* verdictName(Verdict verdict);
+
+/// Table with one row a track: track_id, updates, mean_nis_per_dof (1 is expected), lower_bound and
+/// upper_bound (95 % band of this mean), within_95 (share of the updates), verdict.
+std::string toCsv(const NisReport& report);
+
+}  // namespace vdamf

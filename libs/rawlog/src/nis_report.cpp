@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vdamf/rawlog/nis_report.h"
+
+#include <algorithm>
+
+#include "vdamf/files/numbers.h"
+
+namespace vdamf
+{
+namespace
+{
+constexpr int kFreedom = 3;  // x, y, heading
+
+// Errors larger than claimed mislead whoever uses the track; smaller ones only waste information.
+bool isWorse(const TrackNis& a, const TrackNis& b)
+{
+    const bool aClaimsTooMuch = a.nis.mean > 1.0;
+    const bool bClaimsTooMuch = b.nis.mean > 1.0;
+    if (aClaimsTooMuch != bClaimsTooMuch) return aClaimsTooMuch;
+    return aClaimsTooMuch ? a.nis.mean > b.nis.mean : a.nis.mean < b.nis.mean;
+}
+
+std::string rowOf(const TrackNis& track)
+{
+    std::string row = std::to_string(track.trackId) + ',' + std::to_string(track.nis.count);
+    for (const double value :
+         {track.nis.mean, track.nis.lowerBound, track.nis.upperBound, track.nis.within95})
+        row += ',' + toFixedText(value, 4);
+    return row + ',' + verdictName(track.verdict) + '\n';
+}
+}  // namespace
+
+void NisCollector::add(const FrameResult& frame)
+{
+    for (const TrackReport& track : frame.tracks)
+        if (track.nis && track.status == TrackStatus::Confirmed)
+            byTrack_[track.id].push_back(*track.nis);
+}
+
+NisReport NisCollector::report() const
+{
+    NisReport report;
+    std::vector<double> all;
+    for (const auto& [id, values] : byTrack_)
+    {
+        all.insert(all.end(), values.begin(), values.end());
+        const Consistency nis = consistencyOf(values, kFreedom);
+        report.tracks.push_back({id, nis, verdictOf(nis)});
+    }
+    report.all = consistencyOf(all, kFreedom);
+    return report;
+}
+
+std::vector<TrackNis> worstOf(const NisReport& report, std::size_t most)
+{
+    std::vector<TrackNis> worst;
+    for (const TrackNis& track : report.tracks)
+        if (track.verdict != Verdict::TooFew && track.verdict != Verdict::Consistent)
+            worst.push_back(track);
+    std::stable_sort(worst.begin(), worst.end(), isWorse);
+    worst.resize(std::min(worst.size(), most));
+    return worst;
+}
+
+const char* verdictName(Verdict verdict)
+{
+    switch (verdict)
+    {
+        case Verdict::TooFew:
+            return "too_few";
+        case Verdict::Consistent:
+            return "consistent";
+        case Verdict::Overconfident:
+            return "overconfident";
+        case Verdict::Underconfident:
+            return "underconfident";
+        case Verdict::HeavyTailed:
+            return "heavy_tailed";
+    }
+    return "";
+}
+
+std::string toCsv(const NisReport& report)
+{
+    std::string table =
+        "track_id,updates,mean_nis_per_dof,lower_bound,upper_bound,within_95,verdict\n";
+    for (const TrackNis& track : report.tracks) table += rowOf(track);
+    return table;
+}
+
+}  // namespace vdamf

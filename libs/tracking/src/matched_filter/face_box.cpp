@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "matched_filter/face_box.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace vdamf
+{
+namespace
+{
+// Where a face is: along its axis, from the middle of the fitted box.
+struct FacePlace
+{
+    double at = 0.0;        // signed, m
+    double variance = 0.0;  // m^2, beside what the lines give
+    bool onLine = false;
+    bool onRow = false;  // at the end of a row of hits
+};
+
+struct RowHit
+{
+    double along;  // outwards
+    double weight;
+};
+
+// Hits on a face lie at most so far behind it (round corners) and before it, m.
+constexpr double kBehind = 0.8;
+constexpr double kInFront = 0.25;
+// A gap that ends a row of hits: so many times the gaps before it, within these bounds, m.
+constexpr double kWideGap = 4.0;
+constexpr double kLeastGap = 0.25;
+constexpr double kLargestGap = 1.0;
+constexpr double kFitExcess = 0.4;      // of the filter's box beyond the vehicle, at most, m
+constexpr double kEndRoughness = 0.05;  // m
+// A far end is out of view where it turns round: it lies so many times the near faces' shape beyond
+// the last hit.
+constexpr double kRoundEnd = 2.0;
+
+// The end of a row of hits, of which the filter said `fitted`: half a gap behind the last of them;
+// nothing for a row too short.
+std::optional<FacePlace> rowEnd(std::vector<RowHit> row, double fitted, double sign, double shape)
+{
+    std::sort(row.begin(), row.end(),
+              [](const RowHit& a, const RowHit& b) { return a.along < b.along; });
+    constexpr std::size_t kForGap = 4;
+    if (row.size() < kForGap) return std::nullopt;
+    const auto gapBefore = [&](std::size_t last)
+    { return (row[last].along - row[last + 1 - kForGap].along) / (kForGap - 1.0); };
+    // The row ends where a gap is wide for one as dense as it is, but not well inside of what the
+    // filter found to be the vehicle.
+    std::size_t count = kForGap;
+    const auto goesOn = [&](std::size_t next)
+    {
+        const double gap = row[next].along - row[next - 1].along;
+        return row[next].along < fitted - kFitExcess ||
+               gap < std::clamp(kWideGap * gapBefore(next - 1), kLeastGap, kLargestGap);
+    };
+    while (count < row.size() && goesOn(count)) ++count;
+    const double gap = gapBefore(count - 1);
+    const double roundness = kRoundEnd * shape;
+    FacePlace place;
+    place.at = sign * (row[count - 1].along + 0.5 * gap + roundness);
+    place.variance = gap * gap / 12.0 + kEndRoughness * kEndRoughness + roundness * roundness / 4.0;
+    place.onRow = true;
+    return place;
+}
+
+// Everything in the axes of the turned box, from its middle: 0 along the heading, 1 across it.
+class FaceBoxBuilder
+{
+public:
+    FaceBoxBuilder(const Hits& hits, const OrientedBox& fitted, FaceSet seen,
+                   const Eigen::Vector2d& sensor, const FaceLines& lines)
+        : hits_(hits),
+          turned_(fitted),
+          lines_(lines),
+          half_{0.5 * fitted.length, 0.5 * fitted.width},
+          seen_{seen.seesEnd(), seen.seesSide()}
+    {
+        turned_.heading = wrapAngle(fitted.heading + lines.turn);
+        const Eigen::Vector2d view = toBoxFrame(turned_, sensor);
+        nearSign_ = {view.x() > 0.0 ? 1.0 : -1.0, view.y() > 0.0 ? 1.0 : -1.0};
+        const Eigen::Matrix2d toBox = rotation(-turned_.heading);
+        inBox_.resize(hits.size());
+        for (std::size_t i = 0; i < hits.size(); ++i)
+            inBox_[i] = toBox * (Eigen::Vector2d(hits.x[i], hits.y[i]) - turned_.centre());
+    }
+
+    FaceBox build(double unseenSigma, const FitOptions& limits) const
+    {
+        Faces faces;
+        for (std::size_t axis = 0; axis < 2; ++axis)
+            for (std::size_t end = 0; end < 2; ++end)
+                faces[axis][end] = placeOf(axis, end == 0 ? -1.0 : 1.0, unseenSigma);
+        limit(faces[0], nearSign_[0], limits.minLength, limits.maxLength);
+        limit(faces[1], nearSign_[1], limits.minWidth, limits.maxWidth);
+        return boxOf(faces);
+    }
+
+private:
+    using Faces = std::array<std::array<FacePlace, 2>, 2>;  // by axis, low and high
+
+    static void limit(std::array<FacePlace, 2>& faces, double nearSign, double min, double max)
+    {
+        const double size = std::clamp(faces[1].at - faces[0].at, min, max);
+        if (nearSign > 0.0)
+            faces[0].at = faces[1].at - size;
+        else
+            faces[1].at = faces[0].at + size;
+    }
+
+    const FaceLine& line(std::size_t axis) const { return axis == 0 ? lines_.end : lines_.side; }
+
+    double nearAt(std::size_t axis) const
+    {
+        return line(axis).exists ? line(axis).at : nearSign_[axis] * half_[axis];
+    }
+
+    FacePlace placeOf(std::size_t axis, double sign, double unseenSigma) const
+    {
+        FacePlace place{sign * half_[axis], unseenSigma * unseenSigma, false, false};
+        if (sign == nearSign_[axis] && line(axis).exists)
+        {
+            place = {line(axis).at, 0.0, true, false};
+        }
+        else if (seen_[1 - axis])
+        {
+            const double shape = std::max(line(0).shape, line(1).shape);
+            if (const auto end = rowEnd(rowAlong(axis, sign), half_[axis], sign, shape))
+                place = *end;
+        }
+        return place;
+    }
+
+    // Hits on the near face that runs along `axis`, outwards by `sign`.
+    std::vector<RowHit> rowAlong(std::size_t axis, double sign) const
+    {
+        const double face = nearAt(1 - axis);
+        std::vector<RowHit> row;
+        for (std::size_t i = 0; i < inBox_.size(); ++i)
+        {
+            const auto a = static_cast<Eigen::Index>(axis);
+            const double depth = nearSign_[1 - axis] * (face - inBox_[i](1 - a));
+            const double along = sign * inBox_[i](a);
+            if (depth > -kInFront && depth < kBehind && along > 0.0)
+                row.push_back({along, hits_.weight[i]});
+        }
+        return row;
+    }
+
+    FaceBox boxOf(const Faces& faces) const
+    {
+        const auto middleOf = [](const auto& f) { return 0.5 * (f[0].at + f[1].at); };
+        const Eigen::Vector2d middle(middleOf(faces[0]), middleOf(faces[1]));
+        const Eigen::Matrix2d toWorld = rotation(turned_.heading);
+        const Eigen::Vector2d centre = turned_.centre() + toWorld * middle;
+        FaceBox result;
+        result.box = {centre.x(), centre.y(), turned_.heading, faces[0][1].at - faces[0][0].at,
+                      faces[1][1].at - faces[1][0].at};
+
+        // d (x, y, heading, length, width) / d (turn, end line, side line)
+        Eigen::Matrix<double, 5, 3> byLines = Eigen::Matrix<double, 5, 3>::Zero();
+        byLines.block<2, 1>(0, 0) = toWorld * Eigen::Vector2d(-middle.y(), middle.x());
+        byLines(2, 0) = 1.0;
+        Matrix5d covariance = Matrix5d::Zero();
+        for (std::size_t axis = 0; axis < 2; ++axis)
+            for (std::size_t end = 0; end < 2; ++end)
+            {
+                const FacePlace& face = faces[axis][end];
+                const auto a = static_cast<Eigen::Index>(axis);
+                Vector5d byFace = Vector5d::Zero();
+                byFace.head<2>() = 0.5 * toWorld.col(a);
+                byFace(3 + a) = end == 0 ? -1.0 : 1.0;
+                if (face.onLine)
+                    byLines.col(1 + a) += byFace;
+                else
+                    covariance += face.variance * byFace * byFace.transpose();
+                // The last hit of a row stays in place when the box turns: its coordinate along
+                // the axis changes by where it lies across it.
+                if (face.onRow)
+                    byLines.col(0) += (axis == 0 ? 1.0 : -1.0) * nearAt(1 - axis) * byFace;
+            }
+        result.covariance = covariance + byLines * lines_.covariance * byLines.transpose();
+        return result;
+    }
+
+    const Hits& hits_;
+    OrientedBox turned_;
+    const FaceLines& lines_;
+    std::array<double, 2> half_;
+    std::array<bool, 2> seen_;
+    std::array<double, 2> nearSign_{};
+    std::vector<Eigen::Vector2d> inBox_;
+};
+}  // namespace
+
+FaceBox boxFromFaces(const Hits& hits, const OrientedBox& fitted, FaceSet seen,
+                     const Eigen::Vector2d& sensor, const FaceLines& lines, double unseenSigma,
+                     const FitOptions& limits)
+{
+    return FaceBoxBuilder(hits, fitted, seen, sensor, lines).build(unseenSigma, limits);
+}
+
+}  // namespace vdamf

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vdamf-evaluate where something is wrong: exit codes, messages, and what stays untouched.
+#include <gmock/gmock.h>
+
+#include "apps/evaluate_fixture.h"
+
+namespace vdamf
+{
+namespace
+{
+using ::testing::HasSubstr;
+using EvaluateAppErrors = EvaluateAppTest;
+
+TEST_F(EvaluateAppErrors, TheSameInputGivesTheSameBytes)
+{
+    writeTables(unchanged);
+    metrics();
+    const std::string first = contentOf("m.json");
+    metrics();
+    EXPECT_EQ(contentOf("m.json"), first);
+    // On standard output the JSON stands alone.
+    EXPECT_EQ(evaluate("--json /dev/stdout").output, first);
+}
+
+TEST_F(EvaluateAppErrors, KeepsInputsAndExistingFiles)
+{
+    writeTables(unchanged);
+    const std::string truth = contentOf("truth.csv");
+    const std::string path = at("truth.csv").string();
+    EXPECT_EQ(evaluate("--overwrite --json '" + path + "'").exitCode, 2);
+    EXPECT_EQ(evaluate("--overwrite --json '" + at("./x/../tracks.csv").string() + "'").exitCode,
+              2);
+    EXPECT_EQ(contentOf("truth.csv"), truth);
+    const std::string twice = at("two.svg").string();
+    EXPECT_EQ(evaluate("--json '" + twice + "' --plots '" + twice + "'").exitCode, 2);
+    make("m.json", "mine");
+    const Outcome refused =
+        evaluate("--plots '" + at("a.svg").string() + "' --json '" + at("m.json").string() + "'");
+    EXPECT_EQ(refused.exitCode, 1);
+    EXPECT_THAT(refused.output, HasSubstr("--overwrite"));
+    EXPECT_EQ(contentOf("m.json"), "mine");
+    EXPECT_EQ(filesInFolder(), 3U);  // the tables and m.json
+    EXPECT_EQ(evaluate("--plots '" + at("m.json").string() + "'").exitCode, 2);
+}
+
+TEST_F(EvaluateAppErrors, AFailedJobSaysWhereAndWhy)
+{
+    writeTables(unchanged);
+    EXPECT_EQ(evaluate(">/dev/full").exitCode, 1);
+    EXPECT_EQ(evaluate("--json /dev/full").exitCode, 1);
+    EXPECT_EQ(evaluate("--json /none/m.json").exitCode, 1);
+    const std::string good = contentOf("truth.csv");
+    const auto outcomeOf = [&](const char* file, const std::string& content)
+    {
+        make(file, content);
+        const Outcome run = evaluate();
+        EXPECT_EQ(run.exitCode, 1) << run.output;
+        return run.output;
+    };
+    EXPECT_THAT(outcomeOf("truth.csv", ""), HasSubstr("truth.csv"));
+    EXPECT_THAT(outcomeOf("truth.csv", "time_s,x_m\n"), HasSubstr("truth.csv:1: "));
+    std::string bad = good;
+    bad.replace(bad.find("4.0000"), 6, "4.o000");
+    EXPECT_THAT(outcomeOf("truth.csv", bad), HasSubstr("truth.csv:2: column 'length_m'"));
+    EXPECT_THAT(outcomeOf("truth.csv", truthHeader()), HasSubstr("vdamf-evaluate: "));
+    EXPECT_THAT(outcomeOf("truth.csv", "\xff\xfe" + std::string(100, '\0')),
+                HasSubstr("truth.csv"));
+    make("truth.csv", good);
+    EXPECT_THAT(outcomeOf("tracks.csv", tracksHeader() + "1,2,3\n"), HasSubstr("tracks.csv:2: "));
+    std::filesystem::remove(at("tracks.csv"));
+    EXPECT_THAT(evaluate().output, HasSubstr("tracks.csv"));
+}
+
+TEST_F(EvaluateAppErrors, ABadCommandLineIsTwo)
+{
+    for (const char* bad : {"--nonsense", "--overlap 0", "--overlap 1.5", "--min-points -1",
+                            "--region-fov-deg 361", "--max-range-m x", "extra"})
+    {
+        EXPECT_EQ(evaluate(bad).exitCode, 2) << bad;
+    }
+    EXPECT_EQ(runApp("vdamf-evaluate", "").exitCode, 2);
+    EXPECT_EQ(runApp("vdamf-evaluate", "--truth t.csv").exitCode, 2);
+    EXPECT_EQ(runApp("vdamf-evaluate", "--help").exitCode, 0);
+    EXPECT_EQ(runApp("vdamf-evaluate", "--version").exitCode, 0);
+}
+
+}  // namespace
+}  // namespace vdamf

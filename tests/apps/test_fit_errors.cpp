@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vdamf-fit on tables that are none, and with bad command lines.
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <string>
+
+#include "apps/fit_fixture.h"
+
+namespace vdamf
+{
+namespace
+{
+using testing::HasSubstr;
+namespace fs = std::filesystem;
+
+using FitErrors = Fit;
+
+TEST_F(FitErrors, MalformedTablesAreErrorsWithTheirPlace)
+{
+    struct Case
+    {
+        std::string table;
+        const char* message;
+    };
+    const Case cases[] = {
+        {"", "clusters.csv:1: the file is empty"},
+        {kFitHeader, "clusters.csv: the table has no rows"},
+        {"cluster,sensor_x_m,sensor_y_m,x,y_m\na,0,0,1,2\n", "the column 'x_m' is missing"},
+        {kFitHeader + "a,0,0,1\n", "clusters.csv:2: expected 5 cells"},
+        {kFitHeader + "a,0,0,1,2\na,0,0,1,two\n", "clusters.csv:3:"},
+        {kFitHeader + ",0,0,1,2\n", "clusters.csv:2:"},
+        {kFitHeader + "a,0,0,1,2\nb,0,0,1,2\na,0,0,1,2\n", "clusters.csv:4:"},
+        {kFitHeader + "a,0,0,1,2\na,0,1,1,2\n", "sensor_y_m"},
+    };
+    for (const Case& one : cases)
+    {
+        EXPECT_EQ(fit(one.table), 1);
+        EXPECT_THAT(output_, HasSubstr(one.message));
+        EXPECT_FALSE(fs::exists(at("fits.csv")));
+        EXPECT_FALSE(fs::exists(at("fits.csv.partial")));
+    }
+}
+
+TEST_F(FitErrors, BadUseEndsWithTwoAndOutputsAreNotReplaced)
+{
+    make("clusters.csv", kFitHeader + twoFaces("car", kCar, {0.0, 0.0}));
+    EXPECT_EQ(run(""), 2);
+    EXPECT_EQ(run("-i clusters.csv"), 2);
+    EXPECT_EQ(run("-i clusters.csv -o ./clusters.csv --overwrite"), 2);
+    EXPECT_EQ(run("-i clusters.csv -o fits.csv --set measurement.optimiser=x"), 2);
+    EXPECT_THAT(output_, HasSubstr("optimizer"));
+    EXPECT_EQ(run("-i clusters.csv -o fits.csv -c missing.ini"), 2);
+    EXPECT_EQ(run("-i missing.csv -o fits.csv"), 1);
+    EXPECT_THAT(output_, HasSubstr("missing.csv"));
+    EXPECT_FALSE(fs::exists(at("fits.csv")));
+    EXPECT_EQ(run("-i clusters.csv -o fits.csv -q"), 0);
+    EXPECT_EQ(output_, "");
+    EXPECT_EQ(run("-i clusters.csv -o fits.csv"), 1);
+    EXPECT_THAT(output_, HasSubstr("--overwrite"));
+    EXPECT_EQ(run("-i clusters.csv -o /dev/stdout"), 0);
+    EXPECT_THAT(output_, testing::StartsWith("cluster,points,x_m"));
+    EXPECT_EQ(run("--help"), 0);
+    EXPECT_THAT(output_, HasSubstr("Example"));
+}
+
+}  // namespace
+}  // namespace vdamf
