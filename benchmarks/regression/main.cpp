@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The regression bench: every scenario simulated or imported, tracked and scored with the
+// project's programs; one table of what came out, held against bounds and an earlier table.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <stdexcept>
+#include <thread>
+
+#include "regression/bounds.h"
+#include "regression/comparison.h"
+#include "regression/run.h"
+#include "regression/tables.h"
+#include "vdamf/files/output_file.h"
+
+namespace
+{
+namespace fs = std::filesystem;
+
+constexpr int kDone = 0;
+constexpr int kFailed = 1;
+constexpr int kBadUse = 2;
+
+struct Cli
+{
+    std::string source = VDAMF_SOURCE_DIR;
+    std::string apps = VDAMF_APPS_DIR;
+    std::string data;
+    std::string out;
+    std::string config;
+    std::string bounds;
+    std::string compare;
+    std::vector<std::string> only;
+    std::vector<std::string> set;
+    unsigned jobs = std::max(1U, std::thread::hardware_concurrency());
+    bool fast = false;
+    bool keep = false;
+};
+
+void declare(CLI::App& app, Cli& cli)
+{
+    CLI::Option* only =
+        app.add_option("--only", cli.only, "scenarios to run, by commas")->delimiter(',');
+    app.add_flag("--fast", cli.fast, "a few scenarios, in half a minute")->excludes(only);
+    app.add_option("--data", cli.data,
+                   "folder with recordings: KITTI raw drives, av2_samples of Argoverse 2")
+        ->check(CLI::ExistingDirectory);
+    app.add_option("--compare", cli.compare, "an earlier regression.csv: print what changed")
+        ->check(CLI::ExistingFile);
+    app.add_option("--set", cli.set, "section.key=value for vdamf-track (repeatable)")
+        ->allow_extra_args(false);
+    app.add_option("-c,--config", cli.config, "configuration of vdamf-track; default: config.ini")
+        ->check(CLI::ExistingFile);
+    app.add_option("--bounds", cli.bounds, "table of bounds; default: that of the source tree")
+        ->check(CLI::ExistingFile);
+    app.add_option("--out", cli.out, "folder for all outputs; default: results/regression");
+    app.add_option("--apps", cli.apps, "folder of the programs; default: those of the build");
+    app.add_option("--source", cli.source, "source tree with datasets/ and config.ini")
+        ->check(CLI::ExistingDirectory);
+    app.add_option("--jobs", cli.jobs, "runs at once; default: one a core")
+        ->check(CLI::Range(1, 1024));
+    app.add_flag("--keep", cli.keep, "keep the rawlogs");
+    app.footer(
+        "Example:\n  vdamf_regression --fast --compare before/regression.csv\n"
+        "Exit codes: 0 done; 1 a run failed or left its bounds; 2 bad command line.");
+}
+
+Cli completed(Cli cli)
+{
+    const fs::path source = cli.source;
+    if (cli.config.empty()) cli.config = (source / "config.ini").string();
+    if (cli.bounds.empty())
+        cli.bounds = (source / "benchmarks" / "regression" / "bounds.csv").string();
+    if (cli.out.empty()) cli.out = (source / "results" / "regression").string();
+    return cli;
+}
+
+void writeFile(const fs::path& path, const std::string& text)
+{
+    vdamf::OutputFile file(path, vdamf::OutputFile::Existing::Overwrite,
+                           vdamf::OutputFile::Unfinished::Discard);
+    file.write(text);
+    file.commit();
+}
+
+std::string list(const std::string& title, const std::vector<std::string>& items)
+{
+    if (items.empty()) return "";
+    std::string text = "\n" + title + "\n";
+    for (const std::string& item : items) text += "- " + item + "\n";
+    return text;
+}
+
+struct Results
+{
+    std::vector<vdamf::RegressionRow> rows;
+    std::vector<std::string> failures;
+};
+
+Results resultsOf(const std::vector<vdamf::RegressionScenario>& scenarios, const Cli& cli)
+{
+    const vdamf::RunOptions options{cli.apps, cli.config, cli.set, cli.out, cli.keep, cli.jobs};
+    std::size_t count = 0;
+    const auto told = [&](const vdamf::RunOutcome& run)
+    {
+        std::fprintf(stderr, "[%zu/%zu] %s: %s, %.1f s\n", ++count, scenarios.size(),
+                     run.row.scenario.c_str(), run.failure.empty() ? "done" : "FAILED",
+                     run.seconds);
+    };
+    Results results;
+    for (const vdamf::RunOutcome& run : vdamf::runScenarios(scenarios, options, told))
+    {
+        if (run.failure.empty())
+            results.rows.push_back(run.row);
+        else
+            results.failures.push_back(run.row.scenario + ": " + run.failure);
+    }
+    return results;
+}
+
+int run(const Cli& cli)
+{
+    const vdamf::Catalogue catalogue =
+        vdamf::catalogueOf(fs::path(cli.source) / "datasets", cli.data);
+    const auto scenarios = vdamf::chosenFrom(catalogue, cli.only, cli.fast);
+    // Read first: the earlier table may be the one that is about to be replaced.
+    const std::vector<vdamf::Bound> bounds = vdamf::readBounds(cli.bounds);
+    std::vector<vdamf::RegressionRow> before;
+    if (!cli.compare.empty()) before = vdamf::readRegressionTable(cli.compare);
+    if (!cli.fast && cli.only.empty())
+        for (const std::string& note : catalogue.notes) std::printf("%s\n", note.c_str());
+
+    const fs::path out = cli.out;
+    fs::create_directories(out);
+    const Results results = resultsOf(scenarios, cli);
+    const std::vector<std::string> broken = vdamf::violations(bounds, results.rows);
+    const std::string problems =
+        list("Failed:", results.failures) + list("Bounds violated (" + cli.bounds + "):", broken);
+    writeFile(out / "regression.csv", vdamf::toCsv(results.rows));
+    writeFile(out / "regression.md", "# Regression\n\n" + vdamf::markdownTable(results.rows) +
+                                         "\n" + vdamf::tableLegend() + problems);
+    std::printf("%s%s", vdamf::terminalTable(results.rows).c_str(), vdamf::tableLegend().c_str());
+    if (!cli.compare.empty())
+        std::printf("\nCompared with %s:\n%s", cli.compare.c_str(),
+                    vdamf::inWords(vdamf::compared(before, results.rows)).c_str());
+    std::printf("%s\ntable: %s\n", problems.c_str(), (out / "regression.csv").c_str());
+    return problems.empty() ? kDone : kFailed;
+}
+}  // namespace
+
+int main(int argc, char** argv)
+{
+    CLI::App app("Tracks and scores every scenario, and says what changed.");
+    Cli cli;
+    declare(app, cli);
+    try
+    {
+        app.parse(argc, argv);
+        return run(completed(cli));
+    }
+    catch (const CLI::ParseError& error)
+    {
+        return app.exit(error) == 0 ? kDone : kBadUse;
+    }
+    catch (const std::invalid_argument& error)
+    {
+        std::fprintf(stderr, "vdamf_regression: %s\n", error.what());
+        return kBadUse;
+    }
+    catch (const std::exception& error)
+    {
+        std::fprintf(stderr, "vdamf_regression: %s\n", error.what());
+        return kFailed;
+    }
+}
