@@ -50,11 +50,10 @@ Cluster relativeTo(const Eigen::Vector2d& origin, const TableCluster& cluster)
     return local;
 }
 
-// As in the tracker: what is low, or of unknown height, is a car; trucks and buses are wider.
-double widestEnd(const Cluster& cluster)
+// Height of the cluster; 0 where it is unknown.
+double heightOf(const Cluster& cluster)
 {
-    const float top = *std::max_element(cluster.height.begin(), cluster.height.end());
-    return top < 2.2F ? 2.15 : 2.7;
+    return *std::max_element(cluster.height.begin(), cluster.height.end());
 }
 
 // The rectangle around the hits at a heading.
@@ -94,7 +93,7 @@ ClusterFit fitCluster(const TableCluster& cluster, const MeasureOptions& options
     const Hits hits = projectHits(local, options.mergeCell);
     const OrientedBox start = cluster.heading
                                   ? boundsAt(hits, *cluster.heading, options.fit)
-                                  : startBox(hits, sensor, widestEnd(local), options.fit);
+                                  : startBox(hits, sensor, widestEnd(heightOf(local)), options.fit);
     Measurement m = measureTarget(hits, sensor, start, options);
     m.box.x += origin.x();
     m.box.y += origin.y();

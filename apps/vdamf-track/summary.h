@@ -29,11 +29,16 @@ inline void warn(const TrackRawlogSummary& s, const std::string& input)
     line(s.withoutPose, "scans skipped: no INS pose at their time");
     line(s.outOfOrder,
          "scans skipped: not later than the frame before" +
-             (s.sensors.size() > 1 ? "; they come from the sensors " + joinedInQuotes(s.sensors) +
-                                         ": set [scan] label to the one to track on"
-                                   : std::string()));
+             (s.sensors.size() > 1
+                  ? "; they come from the sensors " + joinedInQuotes(s.sensors) +
+                        ": set [scan] label to the one to track on, or merge_s to track on "
+                        "all as one"
+                  : std::string()));
     line(s.unstamped, "scans skipped: without a time stamp");
     line(s.unreadable, "scans skipped: " + s.firstUnreadable);
+    line(s.partlyDeskewed,
+         "scans with hits at whose time there is no INS pose: these are placed by the pose nearest "
+         "in time");
     line(s.read.unknown, "entries of unknown classes, copied as they are");
     line(s.read.damaged, "damaged entries left out");
     for (const std::string& problem : s.read.problems)
@@ -95,7 +100,8 @@ inline void printSummary(std::FILE* to, const TrackRawlogSummary& s)
     const auto row = [to](const char* name, const std::string& value)
     { std::fprintf(to, "  %-18s %s\n", name, value.c_str()); };
     std::fprintf(to, "\n");
-    row("frames", std::to_string(s.frames) + " of " + std::to_string(s.scans) + " scans");
+    row("frames", std::to_string(s.frames) + " of " + std::to_string(s.scans) + " scans" +
+                      (s.merged > 0 ? ", " + std::to_string(s.merged) + " merged" : ""));
     row("objects confirmed", std::to_string(s.tracksConfirmed));
     row("INS poses", s.insSource);
     printConsistency(to, s.nis);

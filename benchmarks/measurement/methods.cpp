@@ -16,11 +16,9 @@ enum class From
     StartAndSizes
 };
 
-// As in the tracker: what is low is a car, trucks and buses are wider.
-double widestEnd(const Cluster& cluster)
+double heightOf(const Cluster& cluster)
 {
-    const double top = *std::max_element(cluster.height.begin(), cluster.height.end());
-    return top < 2.2 ? 2.15 : 2.7;
+    return *std::max_element(cluster.height.begin(), cluster.height.end());
 }
 
 Method fitOf(const std::string& name, const MeasureOptions& options, From from)
@@ -30,11 +28,14 @@ Method fitOf(const std::string& name, const MeasureOptions& options, From from)
         const Hits hits = projectHits(sample.cluster, options.mergeCell);
         const OrientedBox start =
             from == From::Nothing
-                ? startBox(hits, sample.sensor, widestEnd(sample.cluster), options.fit)
+                ? startBox(hits, sample.sensor, widestEnd(heightOf(sample.cluster)), options.fit)
                 : sample.start;
         std::optional<Eigen::Vector2d> known;
         if (from == From::StartAndSizes) known.emplace(start.length, start.width);
-        const Measurement m = measureTarget(hits, sample.sensor, start, options, known);
+        MeasureOptions own = options;
+        own.rangeNoise = sample.rangeNoise;
+        if (!sample.isBody) own.bodyDepth = 0.0;
+        const Measurement m = measureTarget(hits, sample.sensor, start, own, known);
         return Estimate{m.box, m};
     };
     return {name, false, estimate};

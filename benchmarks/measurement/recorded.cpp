@@ -18,6 +18,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kLeastHits = 10;  // as in the tracker
 constexpr double kGrown = 0.3;          // m
+constexpr double kRangeNoise = 0.02;    // m, of the HDL-64E
 
 // Both samples of one label; their clusters may be too small.
 struct LabelSamples
@@ -116,6 +117,7 @@ void complete(Condition& condition, int count, std::uint64_t seed)
     for (std::size_t k = 0; k < wanted; ++k)
     {
         Sample& sample = samples[k];
+        sample.rangeNoise = kRangeNoise;
         sample.start = perturbed(sample.truth, seed, k);
         sample.inView = facesInView(sample.cluster, sample.truth, sample.sensor);
     }

@@ -17,8 +17,10 @@ struct Sample
     Cluster cluster;                                   ///< m, with height above the ground
     Eigen::Vector2d sensor = Eigen::Vector2d::Zero();  ///< in the frame of the hits, m
     OrientedBox truth;                                 ///< in the frame of the hits
-    FaceSet inView;     ///< faces of the true box that hits can tell of, see facesInView()
-    OrientedBox start;  ///< the true box, perturbed: what a track would predict
+    FaceSet inView;            ///< faces of the true box that hits can tell of, see facesInView()
+    OrientedBox start;         ///< the true box, perturbed: what a track would predict
+    bool isBody = true;        ///< not upright walls
+    double rangeNoise = 0.02;  ///< standard deviation of the sensor's ranges, m
 };
 
 /// Samples of one kind.

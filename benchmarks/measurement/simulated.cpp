@@ -48,6 +48,8 @@ std::optional<Sample> drawn(const SimulatedKind& kind, RandomStream& random)
     const BodySize size = randomSize(kind.body, random);
     const Eigen::Vector2d view = randomView(kind.aspect, size, random);
     Sample sample;
+    sample.isBody = kind.body != ObjectClass::Box;
+    sample.rangeNoise = kind.rangeNoise;
     sample.truth.heading = between(-kPi, kPi, random);
     sample.truth.length = size.length;
     sample.truth.width = size.width;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <fstream>
 
 #include "vdamf/simulation/random_stream.h"
 
@@ -17,12 +18,27 @@ double secondsNow()
     return std::chrono::duration<double>(now).count();
 }
 
+std::string processorName()
+{
+    std::ifstream file("/proc/cpuinfo");
+    const std::string key = "model name";
+    for (std::string line; std::getline(file, line);)
+    {
+        const std::size_t colon = line.find(": ");
+        if (line.rfind(key, 0) == 0 && colon != std::string::npos) return line.substr(colon + 2);
+    }
+    return "";
+}
+
 // The car stands 15 m ahead, turned by 20 to 70 degrees, its rear and right side in view.
 Sample twoFaces(int hits, std::uint64_t seed, std::uint64_t index)
 {
+    constexpr double kOff = 0.03;  // m
     RandomStream random(seed, index);
     Sample sample;
-    sample.truth = {15.0, 0.0, (20.0 + 50.0 * random.uniform()) * kPi / 180.0, 4.5, 1.8};
+    sample.isBody = false;
+    sample.rangeNoise = kOff;
+    sample.truth = {15.0, 0.0, -(20.0 + 50.0 * random.uniform()) * kPi / 180.0, 4.5, 1.8};
     const double l = 0.5 * sample.truth.length;
     const double w = 0.5 * sample.truth.width;
     for (int i = 0; i < hits; ++i)
@@ -30,7 +46,7 @@ Sample twoFaces(int hits, std::uint64_t seed, std::uint64_t index)
         const double along = random.uniform() * (2.0 * l + 2.0 * w);
         const Eigen::Vector2d onFace = along < 2.0 * l ? Eigen::Vector2d(along - l, -w)
                                                        : Eigen::Vector2d(-l, along - 2.0 * l - w);
-        const Eigen::Vector2d off(0.03 * random.gaussian(), 0.03 * random.gaussian());
+        const Eigen::Vector2d off(kOff * random.gaussian(), kOff * random.gaussian());
         const Eigen::Vector2d p =
             sample.truth.centre() + rotation(sample.truth.heading) * (onFace + off);
         sample.cluster.x.push_back(static_cast<float>(p.x()));
@@ -70,7 +86,7 @@ Timing timed(const std::vector<Method>& methods, const std::vector<int>& hits, s
 {
     constexpr std::uint64_t kSamples = 8;
     constexpr double kBatchSeconds = 0.03;
-    Timing timing{hits, {}};
+    Timing timing{hits, {}, processorName()};
     for (const Method& method : methods)
     {
         TimingRow row{method.name, {}};

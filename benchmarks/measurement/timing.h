@@ -20,6 +20,7 @@ struct Timing
 {
     std::vector<int> hits;
     std::vector<TimingRow> rows;
+    std::string processor;  ///< that it ran on, as it names itself; empty where it does not
 };
 
 /// Mean time (us) of estimating all samples one after another, the least of three batches of at

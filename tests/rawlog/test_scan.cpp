@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 #include <mrpt/maps/CSimplePointsMap.h>
+#include <mrpt/obs/CObservation2DRangeScan.h>
 #include <mrpt/obs/CObservationOdometry.h>
 
 #include <cmath>
@@ -23,10 +24,28 @@ class ScanTest : public TemporaryFolder
 {
 };
 
-TEST_F(ScanTest, IsAPointCloudOrAVelodyneScan)
+mrpt::obs::CObservation2DRangeScan lineScan()
+{
+    mrpt::obs::CObservation2DRangeScan line;
+    line.timestamp = mrpt::Clock::fromDouble(1.5e9);
+    line.sensorLabel = "bumper";
+    line.aperture = static_cast<float>(kPi);
+    line.rightToLeft = true;
+    line.maxRange = 80.0F;
+    line.sensorPose = mrpt::poses::CPose3D(3.5, 0.0, 0.5, 0.0, 0.0, 0.0);
+    line.resizeScanAndAssign(5, 10.0F, true);
+    return line;
+}
+
+TEST_F(ScanTest, IsOfAClassThatHasPoints)
 {
     EXPECT_TRUE(isScan(test::pointCloud(1)));
     EXPECT_TRUE(isScan(mrpt::obs::CObservationVelodyneScan()));
+    EXPECT_TRUE(isScan(lineScan()));
+    EXPECT_TRUE(isLineScan(lineScan()));
+    EXPECT_TRUE(isMinorScan(lineScan()));
+    EXPECT_FALSE(isMinorScan(test::pointCloud(1)));
+    EXPECT_FALSE(isLineScan(test::pointCloud(1)));
     EXPECT_FALSE(isScan(test::odometry(1)));
     EXPECT_FALSE(scanFrom(test::odometry(1)).has_value());
 }
@@ -130,6 +149,68 @@ TEST_F(ScanTest, OfVelodynePackets)
     EXPECT_NEAR(-20.0 * std::cos(kPi / 12.0), scan->points.x[0], 1e-4);
     EXPECT_NEAR(2.0 - 20.0 * std::sin(kPi / 12.0), scan->points.z[0], 1e-4);
     EXPECT_NEAR(55.296e-6, scan->points.time[16], 1e-8);
+}
+
+TEST_F(ScanTest, OfVelodynePacketsLastsAsLongAsItsFirings)
+{
+    VelodyneFiring firing;
+    firing.range.assign(16, 20.0F);
+    firing.intensity.assign(16, 1.0F);
+    const auto observation =
+        encodeVelodyne(VelodyneModel::VLP16, 1.5e9, std::vector<VelodyneFiring>(1800, firing));
+    const double last = scanFrom(observation)->points.time.back();
+    EXPECT_GT(last, 0.099);
+    EXPECT_GE(durationOf(observation), last);
+    EXPECT_LT(durationOf(observation), last + 1e-4);
+    EXPECT_EQ(0.0, durationOf(test::pointCloud(3)));
+    EXPECT_EQ(0.0, durationOf(mrpt::obs::CObservationVelodyneScan()));
+    EXPECT_EQ(0.0, durationOf(test::odometry(1)));
+}
+
+TEST_F(ScanTest, OfALineRunsFromRightToLeftOrBack)
+{
+    mrpt::obs::CObservation2DRangeScan line = lineScan();
+    const auto scan = scanFrom(line);
+    ASSERT_TRUE(scan);
+    ASSERT_EQ(5u, scan->points.size());
+    EXPECT_NEAR(-10.0, scan->points.y[0], 1e-5);
+    EXPECT_NEAR(13.5, scan->points.x[2], 1e-5);
+    EXPECT_NEAR(10.0, scan->points.y[4], 1e-5);
+    EXPECT_NEAR(0.5, scan->points.z[1], 1e-6);
+    EXPECT_TRUE(scan->points.intensity.empty());
+    EXPECT_TRUE(scan->points.time.empty());
+    line.rightToLeft = false;
+    EXPECT_NEAR(10.0, scanFrom(line)->points.y[0], 1e-5);
+}
+
+TEST_F(ScanTest, OfALineHasOnlyValidRaysInRange)
+{
+    mrpt::obs::CObservation2DRangeScan line = lineScan();
+    line.setScanHasIntensity(true);
+    for (std::size_t i = 0; i < 5; ++i) line.setScanIntensity(i, 51 * static_cast<int>(i + 1));
+    line.setScanRangeValidity(0, false);
+    line.setScanRange(1, 80.0F);
+    line.setScanRange(3, 0.0F);
+    line.setScanRange(4, std::nanf(""));
+    const auto scan = scanFrom(line);
+    ASSERT_EQ(1u, scan->points.size());
+    EXPECT_NEAR(13.5, scan->points.x[0], 1e-5);
+    EXPECT_FLOAT_EQ(0.6F, scan->points.intensity[0]);
+    line.resizeScan(0);
+    EXPECT_TRUE(scanFrom(line)->points.empty());
+    line.resizeScanAndAssign(1, 10.0F, true);
+    EXPECT_NEAR(13.5, scanFrom(line)->points.x[0], 1e-5);
+}
+
+TEST_F(ScanTest, OfALineIsPlanarWhereItIsLevel)
+{
+    mrpt::obs::CObservation2DRangeScan line = lineScan();
+    EXPECT_TRUE(scanFrom(line)->planar);
+    line.sensorPose = mrpt::poses::CPose3D(3.5, 0.0, 0.5, 1.0, 0.0, kPi);  // upside down
+    EXPECT_TRUE(scanFrom(line)->planar);
+    line.sensorPose = mrpt::poses::CPose3D(3.5, 0.0, 0.5, 1.0, 0.1, 0.0);  // looks at the road
+    EXPECT_FALSE(scanFrom(line)->planar);
+    EXPECT_FALSE(scanFrom(test::pointCloud(3))->planar);
 }
 
 }  // namespace

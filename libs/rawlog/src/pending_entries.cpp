@@ -5,6 +5,7 @@
 #include <mrpt/obs/CSensoryFrame.h>
 
 #include <algorithm>
+#include <map>
 
 #include "vdamf/rawlog/annotation.h"
 
@@ -13,7 +14,8 @@ namespace vdamf
 namespace
 {
 constexpr double kLookAhead = 1.0;  // s of entries that a scan waits for a pose
-constexpr double kSorting = 0.2;    // s of entries that it waits for earlier scans
+// s of entries that it waits for earlier scans, and for those that it is merged with
+constexpr double kSorting = ScanOptions::kLongestMerge;
 // It waits for no more than so many bytes and entries, whatever their stamps say.
 constexpr std::size_t kLookAheadBytes = 256U << 20U;
 constexpr std::size_t kLookAheadEntries = 10000;
@@ -37,9 +39,36 @@ std::vector<mrpt::obs::CObservation::Ptr> observationsOf(const RawlogEntry& entr
 }
 }  // namespace
 
-PendingEntries::PendingEntries(RawlogReader& reader, InsTrajectory& ins, std::string scanLabel)
-    : reader_(reader), ins_(ins), scanLabel_(std::move(scanLabel))
+PendingEntries::PendingEntries(RawlogReader& reader, InsTrajectory& ins, ScanOptions options)
+    : reader_(reader), ins_(ins), options_(std::move(options))
 {
+}
+
+// Without a label, minor scans count as long as no other has been met.
+bool PendingEntries::counts(const mrpt::obs::CObservation& observation)
+{
+    if (!isScan(observation)) return false;
+    if (!options_.label.empty()) return observation.sensorLabel == options_.label;
+    if (isMinorScan(observation)) return minorCount_;
+    minorCount_ = false;
+    return true;
+}
+
+void PendingEntries::dropMinorScans()
+{
+    for (PendingEntry& entry : entries_)
+        for (PendingScan& scan : entry.scans)
+            scan.done = scan.done || isMinorScan(*scan.observation);
+}
+
+PendingScan PendingEntries::pendingScan(const mrpt::obs::CObservation::Ptr& observation,
+                                        double time) const
+{
+    PendingScan scan;
+    scan.observation = observation;
+    scan.time = time;
+    scan.until = time + options_.merge + (options_.deskew ? durationOf(*observation) : 0.0);
+    return scan;
 }
 
 bool PendingEntries::readOne()
@@ -50,6 +79,7 @@ bool PendingEntries::readOne()
         atEnd_ = true;
         return false;
     }
+    const bool minorCounted = minorCount_;
     PendingEntry pending;
     pending.entry = std::move(*entry);
     for (const auto& observation : observationsOf(pending.entry))
@@ -59,10 +89,9 @@ bool PendingEntries::readOne()
         const bool stamped = observation->timestamp != INVALID_TIMESTAMP;
         const double time = stamped ? mrpt::Clock::toDouble(observation->timestamp) : 0.0;
         if (stamped) pending.time = std::max(time, pending.time.value_or(time));
-        if (!isScan(*observation)) continue;
-        if (!scanLabel_.empty() && observation->sensorLabel != scanLabel_) continue;
+        if (!counts(*observation)) continue;
         if (stamped)
-            pending.scans.push_back({observation, time, false, {}});
+            pending.scans.push_back(pendingScan(observation, time));
         else
             ++pending.unstamped;
     }
@@ -70,6 +99,7 @@ bool PendingEntries::readOne()
     pending.entry.object.reset();
     bytes_ += pending.entry.bytes.size();
     entries_.push_back(std::move(pending));
+    if (minorCounted && !minorCount_) dropMinorScans();
     return true;
 }
 
@@ -91,13 +121,14 @@ bool PendingEntries::isReadPast(double time) const
 
 bool PendingEntries::waits(const PendingEntry& entry) const
 {
-    return std::any_of(entry.scans.begin(), entry.scans.end(),
-                       [this](const PendingScan& scan)
-                       {
-                           if (scan.done) return false;
-                           return !isReadPast(scan.time + kSorting) ||
-                                  (!ins_.covers(scan.time) && !isReadPast(scan.time + kLookAhead));
-                       });
+    return std::any_of(
+        entry.scans.begin(), entry.scans.end(),
+        [this](const PendingScan& scan)
+        {
+            if (scan.done) return false;
+            return !isReadPast(scan.time + kSorting) ||
+                   (!ins_.covers(scan.until) && !isReadPast(scan.until + kLookAhead));
+        });
 }
 
 bool PendingEntries::prepareFirst()
@@ -124,6 +155,25 @@ PendingScan* PendingEntries::earliestScanUntil(double time)
                 (earliest == nullptr || scan.time < earliest->time))
                 earliest = &scan;
     return earliest;
+}
+
+std::vector<PendingScan*> PendingEntries::partnersOf(const PendingScan& scan)
+{
+    std::map<std::string, PendingScan*> earliest;  // by sensor
+    if (options_.merge <= 0.0) return {};
+    for (PendingEntry& entry : entries_)
+        for (PendingScan& other : entry.scans)
+        {
+            const std::string& label = other.observation->sensorLabel;
+            if (other.done || other.time < scan.time || other.time > scan.time + options_.merge ||
+                label == scan.observation->sensorLabel)
+                continue;
+            PendingScan*& first = earliest[label];
+            if (first == nullptr || other.time < first->time) first = &other;
+        }
+    std::vector<PendingScan*> partners;
+    for (const auto& [label, partner] : earliest) partners.push_back(partner);
+    return partners;
 }
 
 bool PendingEntries::holdsAnnotations() const

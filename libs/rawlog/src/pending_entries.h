@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "vdamf/rawlog/configuration.h"
 #include "vdamf/rawlog/ins_trajectory.h"
 #include "vdamf/rawlog/rawlog_reader.h"
 #include "vdamf/rawlog/scan.h"
@@ -18,7 +19,8 @@ namespace vdamf
 struct PendingScan
 {
     mrpt::obs::CObservation::Ptr observation;
-    double time = 0.0;  ///< s (UNIX)
+    double time = 0.0;   ///< s (UNIX)
+    double until = 0.0;  ///< time up to which its frame asks for poses, s (UNIX)
     bool done = false;
     /// Serialised annotations, once tracked.
     std::string annotations;
@@ -38,7 +40,7 @@ struct PendingEntry
 class PendingEntries
 {
 public:
-    PendingEntries(RawlogReader& reader, InsTrajectory& ins, std::string scanLabel);
+    PendingEntries(RawlogReader& reader, InsTrajectory& ins, ScanOptions options);
 
     /// Reads until the first entry's scans have their poses, or will not get them, and earlier
     /// scans behind them; false at the end of the rawlog.
@@ -48,18 +50,25 @@ public:
 
     /// The earliest scan that is not done among all entries read that is no later than `time`.
     PendingScan* earliestScanUntil(double time);
+    /// The scans that become one frame with this one, which is not done: of each other sensor the
+    /// earliest in the time that scans are merged in.
+    std::vector<PendingScan*> partnersOf(const PendingScan& scan);
     /// True where an entry has annotations that are not written yet.
     bool holdsAnnotations() const;
 
 private:
     bool readOne();
+    bool counts(const mrpt::obs::CObservation& observation);
+    void dropMinorScans();
+    PendingScan pendingScan(const mrpt::obs::CObservation::Ptr& observation, double time) const;
     bool mayReadAhead() const;
     bool waits(const PendingEntry& entry) const;
     bool isReadPast(double time) const;
 
     RawlogReader& reader_;
     InsTrajectory& ins_;
-    std::string scanLabel_;
+    ScanOptions options_;
+    bool minorCount_ = true;
     std::deque<PendingEntry> entries_;
     std::size_t bytes_ = 0;
     bool atEnd_ = false;

@@ -3,7 +3,10 @@
 
 #include <mrpt/core/Clock.h>
 #include <mrpt/maps/CPointsMapXYZI.h>
+#include <mrpt/obs/CObservation2DRangeScan.h>
+#include <mrpt/obs/CObservation3DRangeScan.h>
 #include <mrpt/obs/CObservationPointCloud.h>
+#include <mrpt/obs/CObservationRotatingScan.h>
 #include <mrpt/obs/CObservationVelodyneScan.h>
 
 #include <algorithm>
@@ -11,13 +14,18 @@
 #include <stdexcept>
 
 #include "object_parser.h"
+#include "range_camera.h"
+#include "rotating_scan.h"
 #include "vdamf/rawlog/velodyne_packets.h"
 
 namespace vdamf
 {
 namespace
 {
+using mrpt::obs::CObservation2DRangeScan;
+using mrpt::obs::CObservation3DRangeScan;
 using mrpt::obs::CObservationPointCloud;
+using mrpt::obs::CObservationRotatingScan;
 using mrpt::obs::CObservationVelodyneScan;
 
 /// Loads the points of an observation that keeps them in a file of their own, for a while.
@@ -76,6 +84,31 @@ PointCloud cloudOf(const CObservationPointCloud& observation)
     return pointsOf(*observation.pointcloud);
 }
 
+PointCloud raysOf(const CObservation2DRangeScan& line)
+{
+    PointCloud cloud;
+    for (std::size_t i = 0; i < line.getScanSize(); ++i)
+    {
+        const float range = line.getScanRange(i);
+        if (!line.getScanRangeValidity(i) || !(range > 0.0F && range < line.maxRange)) continue;
+        const float angle = line.getScanSize() > 1 ? line.getScanAngle(i) : 0.0F;
+        cloud.x.push_back(range * std::cos(angle));
+        cloud.y.push_back(range * std::sin(angle));
+        cloud.z.push_back(0.0F);
+        if (line.hasIntensity())
+            cloud.intensity.push_back(static_cast<float>(line.getScanIntensity(i)));
+    }
+    scaleToOne(cloud.intensity);
+    return cloud;
+}
+
+/// Whether the plane of the rays is level, either way up.
+bool isLevel(const mrpt::poses::CPose3D& sensorPose)
+{
+    constexpr double kCosine = 0.99939;  // of 2 degrees
+    return std::abs(sensorPose.getRotationMatrix()(2, 2)) > kCosine;
+}
+
 /// Sensors without a return at a point write zeros or NaN.
 bool isReturn(float x, float y, float z)
 {
@@ -123,6 +156,7 @@ Scan scanOf(const mrpt::obs::CObservation& observation, PointCloud cloud)
     scan.sensorLabel = observation.sensorLabel;
     scan.sensorInVehicle = {sensorPose.x(), sensorPose.y(), sensorPose.z()};
     scan.points = returnsInVehicle(std::move(cloud), sensorPose);
+    scan.planar = isLineScan(observation) && isLevel(sensorPose);
     return scan;
 }
 }  // namespace
@@ -130,7 +164,33 @@ Scan scanOf(const mrpt::obs::CObservation& observation, PointCloud cloud)
 bool isScan(const mrpt::obs::CObservation& observation)
 {
     return dynamic_cast<const CObservationPointCloud*>(&observation) != nullptr ||
-           dynamic_cast<const CObservationVelodyneScan*>(&observation) != nullptr;
+           dynamic_cast<const CObservationVelodyneScan*>(&observation) != nullptr ||
+           dynamic_cast<const CObservationRotatingScan*>(&observation) != nullptr ||
+           dynamic_cast<const CObservation3DRangeScan*>(&observation) != nullptr ||
+           isLineScan(observation);
+}
+
+bool isLineScan(const mrpt::obs::CObservation& observation)
+{
+    const auto* rotating = dynamic_cast<const CObservationRotatingScan*>(&observation);
+    return dynamic_cast<const CObservation2DRangeScan*>(&observation) != nullptr ||
+           (rotating != nullptr && rotating->rangeImage.rows() == 1);
+}
+
+bool isMinorScan(const mrpt::obs::CObservation& observation)
+{
+    return isLineScan(observation) ||
+           dynamic_cast<const CObservation3DRangeScan*>(&observation) != nullptr;
+}
+
+double durationOf(const mrpt::obs::CObservation& observation)
+{
+    constexpr double kLongest = 1.0;
+    if (const auto* velodyne = dynamic_cast<const CObservationVelodyneScan*>(&observation))
+        return durationOf(*velodyne);
+    if (const auto* rotating = dynamic_cast<const CObservationRotatingScan*>(&observation))
+        return rotating->sweepDuration > 0.0 ? std::min(rotating->sweepDuration, kLongest) : 0.0;
+    return 0.0;
 }
 
 std::optional<Scan> scanFrom(const mrpt::obs::CObservation& observation)
@@ -144,6 +204,18 @@ std::optional<Scan> scanFrom(const mrpt::obs::CObservation& observation)
         if (const auto* velodyne = dynamic_cast<const CObservationVelodyneScan*>(&observation))
         {
             return scanOf(observation, decodeVelodyne(*velodyne));
+        }
+        if (const auto* line = dynamic_cast<const CObservation2DRangeScan*>(&observation))
+        {
+            return scanOf(observation, raysOf(*line));
+        }
+        if (const auto* rotating = dynamic_cast<const CObservationRotatingScan*>(&observation))
+        {
+            return scanOf(observation, hitsOf(*rotating));
+        }
+        if (const auto* camera = dynamic_cast<const CObservation3DRangeScan*>(&observation))
+        {
+            return scanOf(observation, hitsOf(*camera));
         }
         return std::nullopt;
     }

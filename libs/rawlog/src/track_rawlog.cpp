@@ -8,10 +8,10 @@
 #include <set>
 #include <stdexcept>
 
+#include "frame_maker.h"
 #include "pending_entries.h"
 #include "track_outputs.h"
 #include "vdamf/rawlog/annotation.h"
-#include "vdamf/rawlog/world_frame.h"
 
 namespace vdamf
 {
@@ -42,7 +42,8 @@ public:
           listener_(listener),
           reader_(job.input),
           ins_(job.configuration.ins),
-          pending_(reader_, ins_, job.configuration.scan.label),
+          pending_(reader_, ins_, job.configuration.scan),
+          frames_(job.configuration.scan, ins_, summary_),
           tracker_(job.configuration.tracker),
           outputs_(job)
     {
@@ -101,21 +102,25 @@ private:
             return;
         }
         scan.done = true;
+        const std::vector<PendingScan*> partners = pending_.partnersOf(scan);
+        for (PendingScan* partner : partners) partner->done = true;
         if (scansMet_ == 0) firstScanTime_ = scan.time;
         // Also before the range: the source of the poses, and with it the world's origin, must not
         // depend on where the range begins.
         const std::optional<VehiclePose> pose = ins_.at(scan.time);
-        if (scansMet_++ >= job_.firstFrame) track(scan, pose);
+        if (scansMet_++ >= job_.firstFrame) track(scan, pose, partners);
         // Only where the stamp is one of the recording's: a wild one would forget all poses.
         constexpr double kPosesKept = 10.0;  // s
         if (pose) ins_.forgetBefore(scan.time - kPosesKept);
     }
 
-    void track(PendingScan& scan, const std::optional<VehiclePose>& pose)
+    void track(PendingScan& scan, const std::optional<VehiclePose>& pose,
+               const std::vector<PendingScan*>& partners)
     {
-        ++summary_.scans;
+        summary_.scans += 1 + partners.size();
         noteSensor(scan.observation->sensorLabel);
-        const std::optional<LadarFrame> frame = frameOf(scan, pose);
+        for (const PendingScan* partner : partners) noteSensor(partner->observation->sensorLabel);
+        const std::optional<LadarFrame> frame = frameOf(scan, pose, partners);
         if (!frame) return;
         const FrameResult result = tracker_.process(*frame);
         account(result);
@@ -136,28 +141,11 @@ private:
     }
 
     std::optional<LadarFrame> frameOf(const PendingScan& scan,
-                                      const std::optional<VehiclePose>& pose)
+                                      const std::optional<VehiclePose>& pose,
+                                      const std::vector<PendingScan*>& partners)
     {
         const Stopwatch watch(summary_.frameSeconds);
-        if (summary_.frames > 0 && scan.time <= summary_.lastTime)
-        {
-            ++summary_.outOfOrder;
-            return std::nullopt;
-        }
-        if (!pose)
-        {
-            ++summary_.withoutPose;
-            return std::nullopt;
-        }
-        try
-        {
-            return toLadarFrame(*scanFrom(*scan.observation), *pose);
-        }
-        catch (const std::exception& error)
-        {
-            if (summary_.unreadable++ == 0) summary_.firstUnreadable = error.what();
-            return std::nullopt;
-        }
+        return frames_.frameOf(scan, pose, partners);
     }
 
     void account(const FrameResult& result)
@@ -214,7 +202,7 @@ private:
                    " scans has a time stamp, without which it has no pose";
         if (scansMet_ == 0)
             return "no scans" +
-                   (label.empty() ? " (CObservationPointCloud or CObservationVelodyneScan)"
+                   (label.empty() ? " (of a class that can be tracked on)"
                                   : " labelled '" + label + "' ([scan] label)") +
                    " among its " + std::to_string(summary_.read.objects) + " objects";
         if (summary_.scans == 0)
@@ -233,10 +221,11 @@ private:
     RawlogReader reader_;
     InsTrajectory ins_;
     PendingEntries pending_;
+    TrackRawlogSummary summary_;
+    FrameMaker frames_;
     Tracker tracker_;
     TrackOutputs outputs_;
     NisCollector nis_;
-    TrackRawlogSummary summary_;
     std::set<std::uint64_t> confirmed_;
     std::uint64_t scansMet_ = 0;  // before the range and in it
     std::optional<double> firstScanTime_;

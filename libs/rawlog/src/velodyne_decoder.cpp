@@ -173,12 +173,17 @@ private:
     PointCloud cloud_;
 };
 
+double packetPeriod(const VelodyneLayout& layout)
+{
+    return layout.blockGroupPeriod() * kBlocksPerPacket / layout.blocksPerFiring;
+}
+
 /// Time of each packet's begin relative to the first one's. Stamps that cannot be (sensors that
 /// never heard of a GPS may hold anything) are replaced by the nominal pace.
 std::vector<double> packetTimes(const Scan& scan, const VelodyneLayout& layout)
 {
     constexpr double kLongestPause = 1.0;
-    const double period = layout.blockGroupPeriod() * kBlocksPerPacket / layout.blocksPerFiring;
+    const double period = packetPeriod(layout);
     std::vector<double> times;
     bool plausible = true;
     std::uint32_t first = 0;
@@ -237,6 +242,29 @@ PointCloud decodeVelodyne(const Scan& scan)
         decoder.decode(VelodynePacketView(scan.scan_packets[i]), times[i]);
     }
     return std::move(decoder).cloud();
+}
+
+double durationOf(const Scan& scan)
+{
+    constexpr double kLongest = 1.0;
+    double last = 0.0;
+    try
+    {
+        if (scan.scan_packets.empty())
+        {
+            for (const float time : storedCloud(scan).time) last = std::max(last, double{time});
+        }
+        else
+        {
+            const VelodyneLayout layout = velodyneLayout(velodyneModelOf(scan));
+            last = packetTimes(scan, layout).back() + packetPeriod(layout);
+        }
+    }
+    catch (const std::runtime_error&)
+    {
+        return 0.0;  // what decodeVelodyne() will say
+    }
+    return std::clamp(last, 0.0, kLongest);
 }
 
 }  // namespace vdamf

@@ -12,27 +12,27 @@ namespace vdamf
 namespace
 {
 const MotionOptions kOptions;
-constexpr double kLength = 4.5;
+constexpr double kCarLength = 4.5;
 
-Vector6d state(double heading, double speed, double curvature, double axis)
+StateVector state(double heading, double speed, double curvature, double axis)
 {
-    return (Vector6d() << 3.0, -2.0, heading, speed, curvature, axis).finished();
+    return (StateVector() << 3.0, -2.0, heading, speed, curvature, axis, kCarLength).finished();
 }
 
 // Forward, reverse, standstill, straight, both sides of the series' limit, over the wrap.
-const Vector6d kStates[] = {
+const StateVector kStates[] = {
     state(0.3, 10.0, 0.05, 1.3),   state(-2.0, 6.0, -0.2, 1.0),   state(3.1, 8.0, 0.1, 1.3),
     state(1.0, -3.0, 0.15, 1.2),   state(0.5, 0.0, 0.1, 1.3),     state(0.5, 12.0, 0.0, 1.3),
     state(0.5, 10.0, 0.9e-3, 1.3), state(0.5, 10.0, 1.1e-3, 1.3), state(2.0, 1e-9, -0.2, -0.3)};
 
-// d/dt of (x, y, theta, v, kappa, d): models of the header, continuous time.
-Vector6d rate(const Vector6d& x)
+// d/dt of (x, y, theta, v, kappa, d): model of the header, continuous time.
+StateVector rate(const StateVector& x)
 {
     const double c = std::cos(x(kHeading));
     const double s = std::sin(x(kHeading));
     const double v = x(kSpeed);
     const double dk = x(kAxis) * x(kCurvature);
-    Vector6d r = Vector6d::Zero();
+    StateVector r = StateVector::Zero();
     r(kX) = v * (c - dk * s);
     r(kY) = v * (s + dk * c);
     r(kHeading) = v * x(kCurvature);
@@ -41,21 +41,21 @@ Vector6d rate(const Vector6d& x)
 
 TEST(VariableAxisModel, TransitionEqualsRungeKutta)
 {
-    for (const Vector6d& start : kStates)
+    for (const StateVector& start : kStates)
     {
         const double dt = 0.1;
         const int steps = 200;
         const double h = dt / steps;
-        Vector6d x = start;
+        StateVector x = start;
         for (int k = 0; k < steps; ++k)
         {
-            const Vector6d a = rate(x);
-            const Vector6d b = rate(x + 0.5 * h * a);
-            const Vector6d c = rate(x + 0.5 * h * b);
-            const Vector6d d = rate(x + h * c);
+            const StateVector a = rate(x);
+            const StateVector b = rate(x + 0.5 * h * a);
+            const StateVector c = rate(x + 0.5 * h * b);
+            const StateVector d = rate(x + h * c);
             x += h / 6.0 * (a + 2.0 * b + 2.0 * c + d);
         }
-        const Vector6d y = predictState(start, dt, kLength, kOptions);
+        const StateVector y = predictState(start, dt, kOptions);
         EXPECT_NEAR(y(kX), x(kX), 1e-11) << start.transpose();
         EXPECT_NEAR(y(kY), x(kY), 1e-11) << start.transpose();
         EXPECT_NEAR(wrapAngle(y(kHeading) - x(kHeading)), 0.0, 1e-11) << start.transpose();
@@ -66,23 +66,23 @@ TEST(VariableAxisModel, TransitionEqualsRungeKutta)
 
 TEST(VariableAxisModel, AxisOffsetReturnsToItsPrior)
 {
-    Vector6d x = state(0.0, 0.0, 0.0, 2.0);
-    x = predictState(x, kOptions.axisTime, kLength, kOptions);
-    const double prior = kOptions.axisFraction * kLength;
+    StateVector x = state(0.0, 0.0, 0.0, 2.0);
+    x = predictState(x, kOptions.axisTime, kOptions);
+    const double prior = kOptions.axisFraction * kCarLength;
     EXPECT_NEAR(x(kAxis), prior + (2.0 - prior) * std::exp(-1.0), 1e-12);
 }
 
 TEST(VariableAxisModel, JacobianEqualsDifferences)
 {
-    for (const Vector6d& x : kStates)
+    for (const StateVector& x : kStates)
     {
-        const Matrix6d f = transitionJacobian(x, 0.1, kOptions);
-        for (int j = 0; j < 6; ++j)
+        const StateMatrix f = transitionJacobian(x, 0.1, kOptions);
+        for (int j = 0; j < 7; ++j)
         {
             const double h = 1e-5;
-            const Vector6d e = Vector6d::Unit(j) * h;
-            Vector6d difference = predictState(x + e, 0.1, kLength, kOptions) -
-                                  predictState(x - e, 0.1, kLength, kOptions);
+            const StateVector e = StateVector::Unit(j) * h;
+            StateVector difference =
+                predictState(x + e, 0.1, kOptions) - predictState(x - e, 0.1, kOptions);
             difference(kHeading) = wrapAngle(difference(kHeading));
             EXPECT_LT((f.col(j) - difference / (2.0 * h)).norm(), 1e-7)
                 << "column " << j << " at " << x.transpose();
@@ -92,29 +92,29 @@ TEST(VariableAxisModel, JacobianEqualsDifferences)
 
 TEST(VariableAxisModel, ReverseUndoesForward)
 {
-    Vector6d x = state(0.4, 7.0, 0.12, kOptions.axisFraction * kLength);
-    Vector6d y = predictState(x, 0.3, kLength, kOptions);
+    StateVector x = state(0.4, 7.0, 0.12, kOptions.axisFraction * kCarLength);
+    StateVector y = predictState(x, 0.3, kOptions);
     y(kSpeed) = -y(kSpeed);
-    y = predictState(y, 0.3, kLength, kOptions);
+    y = predictState(y, 0.3, kOptions);
     EXPECT_LT((y - x).head<3>().norm(), 1e-12);
 }
 
 TEST(VariableAxisModel, ProcessNoiseEqualsMonteCarloOfItsInputs)
 {
     // Constant random acceleration and curvature rate over the step, and the diagonal terms.
-    const Vector6d x = state(0.7, 8.0, 0.04, 1.26);
+    const StateVector x = state(0.7, 8.0, 0.04, 1.26);
     const double dt = 0.1;
     std::mt19937_64 generator(5);
     std::normal_distribution<double> gauss;
     const double rateSigma = std::min(kOptions.maxCurvatureRate, kOptions.lateralJerk / 64.0);
     const int samples = 20000;
-    Matrix6d sum = Matrix6d::Zero();
-    const Vector6d mean = predictState(x, dt, kLength, kOptions);
+    StateMatrix sum = StateMatrix::Zero();
+    const StateVector mean = predictState(x, dt, kOptions);
     for (int k = 0; k < samples; ++k)
     {
         const double a = kOptions.accelerationSigma * gauss(generator);
         const double r = rateSigma * gauss(generator);
-        Vector6d y = x;
+        StateVector y = x;
         const int steps = 20;
         for (int i = 0; i < steps; ++i)
         {
@@ -125,13 +125,13 @@ TEST(VariableAxisModel, ProcessNoiseEqualsMonteCarloOfItsInputs)
             y(kCurvature) += 0.5 * r * dt / steps;
         }
         y(kAxis) = mean(kAxis);
-        const Vector6d e = y - mean;
+        const StateVector e = y - mean;
         sum += e * e.transpose();
     }
     MotionOptions inputs = kOptions;
-    inputs.slipSigma = inputs.headingSigma = inputs.axisSigma = 0.0;
-    const Matrix6d q = processNoise(x, dt, inputs);
-    const Matrix6d sampled = sum / samples;
+    inputs.slipSigma = inputs.headingSigma = inputs.axisSigma = inputs.sizeSigma = 0.0;
+    const StateMatrix q = processNoise(x, dt, inputs);
+    const StateMatrix sampled = sum / samples;
     for (int i = 0; i < 5; ++i)
     {
         EXPECT_NEAR(sampled(i, i), q(i, i), 0.05 * q(i, i)) << i;
@@ -142,19 +142,19 @@ TEST(VariableAxisModel, ProcessNoiseEqualsMonteCarloOfItsInputs)
 
 TEST(VariableAxisModel, NoiseDoesNotGrowAtStandstill)
 {
-    const Matrix6d q = processNoise(state(0.3, 0.0, 0.1, 1.3), 0.1, kOptions);
+    const StateMatrix q = processNoise(state(0.3, 0.0, 0.1, 1.3), 0.1, kOptions);
     EXPECT_EQ(q(kCurvature, kCurvature), 0.0);
     EXPECT_GT(q(kX, kX), 0.0);
-    const Eigen::SelfAdjointEigenSolver<Matrix6d> eigen(q);
+    const Eigen::SelfAdjointEigenSolver<StateMatrix> eigen(q);
     EXPECT_GE(eigen.eigenvalues()(0), -1e-15);
 }
 
 TEST(VariableAxisModel, BoundsHold)
 {
-    const Vector6d x = withinBounds(state(4.0, 20.0, 0.5, 9.0), kLength, kOptions);
+    const StateVector x = withinBounds(state(4.0, 20.0, 0.5, 9.0), kOptions);
     EXPECT_NEAR(x(kHeading), 4.0 - 2.0 * kPi, 1e-12);
     EXPECT_NEAR(x(kCurvature), 6.0 / 400.0, 1e-12);
-    EXPECT_NEAR(x(kAxis), 0.45 * kLength, 1e-12);
+    EXPECT_NEAR(x(kAxis), 0.45 * kCarLength, 1e-12);
     EXPECT_TRUE(problemsOf(kOptions).empty());
 }
 

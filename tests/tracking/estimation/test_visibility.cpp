@@ -6,6 +6,8 @@
 
 #include <random>
 
+#include "vdamf/tracking/estimation/start_state.h"
+
 namespace vdamf
 {
 namespace
@@ -27,9 +29,14 @@ FaceSet faces(std::initializer_list<Face> list)
     return set;
 }
 
-SizeMemory sizeOf(double length, double width)
+VehicleState known(const OrientedBox& box, double lengthSigma)
 {
-    return {{length, 0.01}, {width, 0.01}};
+    VehicleState s;
+    s.mean << box.x, box.y, box.heading, 5.0, 0.0, 1.2, box.length;
+    s.covariance.diagonal() << 0.01, 0.01, 1e-4, 0.1, 1e-4, 0.1, lengthSigma * lengthSigma;
+    s.width = box.width;
+    s.widthVariance = 0.01;
+    return s;
 }
 
 TEST(NearestPoint, IsACornerOrAFacePoint)
@@ -40,39 +47,54 @@ TEST(NearestPoint, IsACornerOrAFacePoint)
     EXPECT_EQ(nearestPoint(box, {11.0, -9.0}), Eigen::Vector2d(0.5, -1.0));
 }
 
-TEST(AnchoredPose, KeepsTheNearestCorner)
+TEST(LocatedFaces, AreTheEndsOfRowsToo)
 {
-    // The sensor sees 3 of 4.5 m; the near corner is the rear right one.
-    const double heading = 0.3;
-    const Eigen::Vector2d corner(8.0, 3.0);
-    const OrientedBox seen = [&]
-    {
-        const Eigen::Vector2d c = corner + rotation(heading) * Eigen::Vector2d(1.5, 0.9);
-        return OrientedBox{c.x(), c.y(), heading, 3.0, 1.8};
-    }();
-    const Measurement m = measured(seen, faces({Face::Back, Face::Right}));
-    const PoseMeasurement pose = anchoredPose(m, sizeOf(4.5, 1.8), {0.0, 0.0}, VisibilityOptions());
-    const Eigen::Vector2d expected = corner + rotation(heading) * Eigen::Vector2d(2.25, 0.9);
-    EXPECT_LT((pose.pose.head<2>() - expected).norm(), 1e-12);
-    EXPECT_EQ(pose.pose(2), heading);
+    Measurement m = measured({10, 3, 0, 4.5, 1.8}, faces({Face::Right}));
+    EXPECT_EQ(toString(locatedFaces(m)), "FBR");
+    m.hiddenEnds.add(Face::Front);
+    EXPECT_EQ(toString(locatedFaces(m)), "BR");
+    m.facesSeen = faces({Face::Back});
+    EXPECT_EQ(toString(locatedFaces(m)), "BLR");
 }
 
-TEST(AnchoredPose, CovarianceEqualsMonteCarlo)
+TEST(BoxThrough, KeepsTheFaceThatIsToldWhereTheOtherIsNot)
+{
+    // The rear is seen; of the length nothing is.
+    const double heading = 0.3;
+    const Eigen::Vector2d rear(8.0, 3.0);
+    const Eigen::Vector2d seen = rear + rotation(heading) * Eigen::Vector2d(0.5, 0.0);
+    const Measurement m = measured({seen.x(), seen.y(), heading, 1.0, 1.8}, faces({Face::Back}));
+    const VisibilityOptions options;
+    const BoxMeasurement box = boxThrough(m, faceErrors(m, options), {4.5, 1.7}, {0, 0}, options);
+    const Eigen::Vector2d expected = rear + rotation(heading) * Eigen::Vector2d(2.25, 0.0);
+    EXPECT_LT((box.box.head<2>() - expected).norm(), 1e-12);
+    EXPECT_EQ(box.box(3), 4.5);
+    EXPECT_EQ(box.box(4), 1.8);  // both ends of the rear are told
+    EXPECT_EQ(box.fixedPoint.x(), -1.0);
+    // Length and centre are open, the rear is not.
+    EXPECT_GT(box.covariance(3, 3), 50.0);
+    Vector5d rearFace;
+    rearFace << rotation(heading).col(0), 0.0, -0.5, 0.0;
+    EXPECT_LT(rearFace.dot(box.covariance * rearFace), 0.05);
+}
+
+TEST(BoxThrough, CovarianceEqualsMonteCarlo)
 {
     VisibilityOptions options;
-    options.positionFloor = options.headingFloor = 0.0;
-    const OrientedBox box{9.0, 4.0, 0.9, 3.0, 1.6};  // a corner is nearest
+    options.positionFloor = options.headingFloor = options.sizeSigma = 0.0;
+    options.endOnlyHeadingFloor = 0.0;
+    const OrientedBox box{9.0, 4.0, 0.9, 3.0, 1.6};
     Measurement m = measured(box, faces({Face::Back, Face::Right}));
     Matrix5d root = Matrix5d::Zero();
     root << 0.03, 0, 0, 0, 0, 0.01, 0.02, 0, 0, 0, 0.004, -0.003, 0.01, 0, 0, 0.05, 0.01, 0, 0.04,
         0, -0.01, 0.03, 0, 0.01, 0.03;
     m.covariance = root * root.transpose();
-    const SizeMemory size = sizeOf(4.5, 1.8);
-    const Eigen::Vector2d sensor(0.0, 0.0);
-    const PoseMeasurement pose = anchoredPose(m, size, sensor, options);
+    m.hiddenEnds.add(Face::Front);
+    const FaceErrors errors = faceErrors(m, options);
+    const BoxMeasurement result = boxThrough(m, errors, {4.5, 1.8}, {0, 0}, options);
     std::mt19937_64 generator(3);
     std::normal_distribution<double> gauss;
-    Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+    Matrix5d sum = Matrix5d::Zero();
     const int runs = 20000;
     for (int k = 0; k < runs; ++k)
     {
@@ -82,81 +104,80 @@ TEST(AnchoredPose, CovarianceEqualsMonteCarlo)
         Measurement s = m;
         s.box = {box.x + e(0), box.y + e(1), box.heading + e(2), box.length + e(3),
                  box.width + e(4)};
-        const Eigen::Vector3d d = anchoredPose(s, size, sensor, options).pose - pose.pose;
+        const Vector5d d = boxThrough(s, errors, {4.5, 1.8}, {0, 0}, options).box - result.box;
         sum += d * d.transpose();
     }
-    const Eigen::Matrix3d sampled = sum / runs;
-    for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j)
-            EXPECT_NEAR(sampled(i, j), pose.covariance(i, j),
-                        0.04 * std::sqrt(pose.covariance(i, i) * pose.covariance(j, j)));
+    // The front is not told: without what that adds, the covariance is the scatter.
+    Vector5d byFront = Vector5d::Zero();
+    byFront.head<2>() = 0.5 * rotation(box.heading).col(0);
+    byFront(3) = 1.0;
+    const Matrix5d told = result.covariance - FaceErrors::kNotTold * FaceErrors::kNotTold *
+                                                  byFront * byFront.transpose();
+    const Matrix5d sampled = sum / runs;
+    for (int i = 0; i < 5; ++i)
+        for (int j = 0; j < 5; ++j)
+            EXPECT_NEAR(sampled(i, j), told(i, j), 0.04 * std::sqrt(told(i, i) * told(j, j)) + 1e-9)
+                << i << j;
 }
 
-TEST(Resized, HoldsTheNearestCornerAndThePathOfEveryPoint)
+TEST(FaceErrorsOf, CountALostEndLess)
 {
-    VehicleState s;
-    s.mean << 20.0, 5.0, 0.2, 6.0, 0.1, 1.0;
-    const Eigen::Vector2d sensor(0.0, 0.0);
-    const SizeMemory before = sizeOf(3.0, 1.5);
-    const SizeMemory after = sizeOf(4.5, 1.8);
-    const OrientedBox start{20.0, 5.0, 0.2, 3.0, 1.5};
-    const VehicleState grown = resized(s, before, after, nearestPoint(start, sensor));
-    const auto nearCorner = [&](const VehicleState& state, const SizeMemory& size)
-    {
-        const OrientedBox box{state.mean(kX), state.mean(kY), state.mean(kHeading),
-                              size.length.mean, size.width.mean};
-        return corners(box)[2];  // rear right
-    };
-    EXPECT_LT((nearCorner(grown, after) - nearCorner(s, before)).norm(), 1e-12);
-    // The body moves as before: the near corner is at the same place after a step.
+    const VisibilityOptions options;
+    const VehicleState before = known({20.0, 5.0, 0.0, 4.5, 1.8}, 0.1);
+    // Passing from behind a pillar: the side is as long as ever, then a metre short in front.
+    const FaceSet side = faces({Face::Right});
+    const FaceErrors whole =
+        faceErrors(measured({20.05, 5.0, 0.0, 4.6, 1.8}, side), before, options);
+    EXPECT_EQ(whole.sigma[0][0], options.sizeSigma);
+    EXPECT_EQ(whole.sigma[0][1], options.sizeSigma);
+    const FaceErrors lost = faceErrors(measured({19.5, 5.0, 0.0, 3.5, 1.8}, side), before, options);
+    EXPECT_EQ(lost.sigma[0][0], options.sizeSigma);
+    EXPECT_NEAR(lost.sigma[0][1], 1.0, 1e-12);
+    // The rear is seen as a face: it is where it is, and the front is what lacks.
+    const FaceErrors seen = faceErrors(
+        measured({20.5, 5.0, 0.0, 3.5, 1.8}, faces({Face::Right, Face::Back})), before, options);
+    EXPECT_EQ(seen.sigma[0][0], options.positionFloor);
+    EXPECT_NEAR(seen.sigma[0][1], 1.0, 1e-12);
+}
+
+TEST(OpenToGrowth, LetsTheLengthFollowWithTheRearInPlace)
+{
+    const VisibilityOptions options;
+    const VehicleState before = known({20.0, 5.0, 0.0, 3.0, 1.8}, 0.1);
+    const FaceSet corner = faces({Face::Back, Face::Right});
+    const VehicleState open =
+        openToGrowth(before, measured({20.75, 5.0, 0.0, 4.5, 1.8}, corner), options);
+    EXPECT_NEAR(open.covariance(kLength, kLength), 0.01 + 1.5 * 1.5, 1e-9);
+    // The rear is as certain as it was.
+    StateVector rear = StateVector::Zero();
+    rear(kX) = 1.0;
+    rear(kLength) = -0.5;
+    EXPECT_NEAR(rear.dot(open.covariance * rear), rear.dot(before.covariance * rear), 1e-9);
+    const VehicleState same =
+        openToGrowth(before, measured({20.0, 5.0, 0.0, 3.1, 1.8}, corner), options);
+    EXPECT_EQ(same.covariance, before.covariance);
+}
+
+TEST(StartState, AssumesACarBehindACarsEnd)
+{
     const MotionOptions motion;
-    const auto stepped = [&](const VehicleState& state)
+    const VisibilityOptions options;
+    const auto start = [&](double length, double width, const VisibilityOptions& o)
     {
-        VehicleState next;
-        MotionOptions still = motion;
-        still.axisTime = 1e9;
-        next.mean = predictState(state.mean, 0.5, 4.5, still);
-        return next;
+        return startState(measured({10, 0, 0, length, width}, faces({Face::Back})), {0, 0}, 8.0, o,
+                          motion);
     };
-    EXPECT_LT((nearCorner(stepped(grown), after) - nearCorner(stepped(s), before)).norm(), 1e-6);
-}
-
-TEST(UpdatedSize, AveragesAndIgnoresLossOfVisibility)
-{
-    const VisibilityOptions options;
-    const FaceSet both = faces({Face::Back, Face::Left});
-    SizeMemory memory = initialSize(measured({0, 0, 0, 4.5, 1.8}, both), options);
-    EXPECT_NEAR(memory.length.mean, 4.5, 0.1);  // after a car's prior
-    for (int k = 0; k < 20; ++k)
-        memory =
-            updatedSize(memory, measured({0, 0, 0, k % 2 == 0 ? 4.4 : 4.6, 1.8}, both), options);
-    EXPECT_NEAR(memory.length.mean, 4.5, 0.05);
-    EXPECT_LT(memory.length.variance, 0.01);
-    // Half hidden: hardly counts. Not seen at all: does not count.
-    const SizeMemory lost = updatedSize(memory, measured({0, 0, 0, 2.2, 1.8}, both), options);
-    EXPECT_NEAR(lost.length.mean, memory.length.mean, 0.05);
-    const SizeMemory unseen =
-        updatedSize(memory, measured({0, 0, 0, 2.2, 1.8}, faces({Face::Back})), options);
-    EXPECT_EQ(unseen.length.mean, memory.length.mean);
-    // More than remembered is real.
-    const SizeMemory more = updatedSize(memory, measured({0, 0, 0, 5.5, 1.8}, both), options);
-    EXPECT_GT(more.length.mean, memory.length.mean + 0.05);
-}
-
-TEST(InitialSize, AssumesACarBehindACarsEnd)
-{
-    const VisibilityOptions options;
-    const SizeMemory rear =
-        initialSize(measured({0, 0, 0, 1.0, 1.7}, faces({Face::Back})), options);
-    EXPECT_EQ(rear.length.mean, options.carLength);
-    EXPECT_GT(rear.length.variance, rear.width.variance);
-    const SizeMemory post =
-        initialSize(measured({0, 0, 0, 0.9, 0.7}, faces({Face::Back})), options);
-    EXPECT_EQ(post.length.mean, 0.9);
+    const VehicleState rear = start(1.0, 1.7, options);
+    EXPECT_NEAR(rear.mean(kLength), options.carLength, 1e-3);
+    EXPECT_NEAR(rear.mean(kX), 9.5 + 0.5 * options.carLength, 1e-3);
+    // The centre is as uncertain as half the length.
+    EXPECT_NEAR(rear.covariance(kX, kX), 0.25 * options.carLengthSigma * options.carLengthSigma,
+                0.01);
+    EXPECT_EQ(rear.covariance(kSpeed, kSpeed), 64.0);
+    EXPECT_NEAR(start(0.9, 0.7, options).mean(kLength), 0.9, 1e-3);
     VisibilityOptions plain;
     plain.assumeVehicleSize = false;
-    EXPECT_EQ(initialSize(measured({0, 0, 0, 1.0, 1.7}, faces({Face::Back})), plain).length.mean,
-              1.0);
+    EXPECT_NEAR(start(1.0, 1.7, plain).mean(kLength), 1.0, 1e-3);
 }
 
 TEST(AlignedWith, TurnsFrontAndFaces)

@@ -74,6 +74,34 @@ TEST(Tracker, ParkedCarStandsStillWhileThePlatformMoves)
     EXPECT_EQ(ids.size(), 1U);
 }
 
+TEST(Tracker, KeepsACarThatPassesBehindAVan)
+{
+    Tracker tracker{TrackerOptions()};
+    const ExampleBody van{{0.0, 10.0, 0.0, 5.0, 2.0}, 2.5};
+    std::set<std::uint64_t> before;
+    std::set<std::uint64_t> after;
+    int hidden = 0;
+    for (int k = 0; k < 60; ++k)
+    {
+        const OrientedBox truth = car(-18.0 + 0.6 * k, 18.0, 0.0).box;
+        const FrameResult r = tracker.process(
+            exampleFrame(0.1 * k, {0.0, 0.0}, {van, {truth, 1.5}}, 40U + unsigned(k)));
+        const TrackReport* track = confirmedNear(r, truth.centre());
+        if (track == nullptr)
+            ++hidden;
+        else if (k > 5)
+            (k < 30 ? before : after).insert(track->id);
+        if (k >= 50)
+        {
+            ASSERT_NE(track, nullptr) << k;
+            EXPECT_NEAR(track->speed, 6.0, 0.7) << k;
+        }
+    }
+    EXPECT_GT(hidden, 5);
+    EXPECT_EQ(before.size(), 1U);
+    EXPECT_EQ(before, after);
+}
+
 TEST(Tracker, SameFramesSameResults)
 {
     Tracker a{TrackerOptions()};

@@ -12,8 +12,6 @@ constexpr double kNearer = 0.7;      // m by which a blocking hit lies before th
 constexpr double kBeamStep = 0.004;  // rad between hits, about, of spinning LADARs
 constexpr double kWidestStep = 0.7;  // m between hits of a row whose end can be told
 
-constexpr double kLongRow = 6.0;  // m; the sizes of cars are held by their memory
-
 constexpr Face kEnd[2][2] = {{Face::Back, Face::Front}, {Face::Right, Face::Left}};
 }  // namespace
 
@@ -27,7 +25,7 @@ FaceSet hiddenEnds(const OrientedBox& box, FaceSet seen, const Eigen::Vector2d& 
     FaceSet hidden;
     for (int axis = 0; axis < 2; ++axis)
     {
-        if (!runs[axis] || half(axis) < 0.5 * kLongRow) continue;
+        if (!runs[axis]) continue;
         for (int side = 0; side < 2; ++side)
         {
             if (seen.has(kEnd[axis][side])) continue;

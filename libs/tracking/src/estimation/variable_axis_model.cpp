@@ -39,13 +39,13 @@ Displacement displacement(double s, double kappa, double d)
 }
 }  // namespace
 
-Vector6d predictState(const Vector6d& x, double dt, double length, const MotionOptions& options)
+StateVector predictState(const StateVector& x, double dt, const MotionOptions& options)
 {
     const double s = x(kSpeed) * dt;
     const Displacement move = displacement(s, x(kCurvature), x(kAxis));
     const Eigen::Vector2d world = rotation(x(kHeading)) * Eigen::Vector2d(move.a, move.b);
-    const double prior = options.axisFraction * length;
-    Vector6d y = x;
+    const double prior = options.axisFraction * x(kLength);
+    StateVector y = x;
     y(kX) += world.x();
     y(kY) += world.y();
     y(kHeading) = wrapAngle(x(kHeading) + x(kCurvature) * s);
@@ -53,7 +53,7 @@ Vector6d predictState(const Vector6d& x, double dt, double length, const MotionO
     return y;
 }
 
-Matrix6d transitionJacobian(const Vector6d& x, double dt, const MotionOptions& options)
+StateMatrix transitionJacobian(const StateVector& x, double dt, const MotionOptions& options)
 {
     const double kappa = x(kCurvature);
     const double d = x(kAxis);
@@ -63,7 +63,7 @@ Matrix6d transitionJacobian(const Vector6d& x, double dt, const MotionOptions& o
     const double sinEta = std::sin(eta);
     const Displacement move = displacement(s, kappa, d);
     const Eigen::Matrix2d r = rotation(x(kHeading));
-    Matrix6d f = Matrix6d::Identity();
+    StateMatrix f = StateMatrix::Identity();
     f.block<2, 1>(kX, kHeading) = r * Eigen::Vector2d(-move.b, move.a);
     f.block<2, 1>(kX, kSpeed) =
         dt * (r * Eigen::Vector2d(cosEta - d * kappa * sinEta, sinEta + d * kappa * cosEta));
@@ -72,10 +72,11 @@ Matrix6d transitionJacobian(const Vector6d& x, double dt, const MotionOptions& o
     f(kHeading, kSpeed) = kappa * dt;
     f(kHeading, kCurvature) = s;
     f(kAxis, kAxis) = std::exp(-dt / options.axisTime);
+    f(kAxis, kLength) = options.axisFraction * (1.0 - f(kAxis, kAxis));
     return f;
 }
 
-Matrix6d processNoise(const Vector6d& x, double dt, const MotionOptions& options)
+StateMatrix processNoise(const StateVector& x, double dt, const MotionOptions& options)
 {
     const double v = x(kSpeed);
     const double kappa = x(kCurvature);
@@ -83,14 +84,14 @@ Matrix6d processNoise(const Vector6d& x, double dt, const MotionOptions& options
     const double eta = kappa * v * dt;
     const Eigen::Matrix2d r = rotation(x(kHeading));
 
-    Vector6d acceleration = Vector6d::Zero();
+    StateVector acceleration = StateVector::Zero();
     acceleration.head<2>() = 0.5 * dt * dt *
                              (r * Eigen::Vector2d(std::cos(eta) - d * kappa * std::sin(eta),
                                                   std::sin(eta) + d * kappa * std::cos(eta)));
     acceleration(kHeading) = 0.5 * kappa * dt * dt;
     acceleration(kSpeed) = dt;
 
-    Vector6d steering = Vector6d::Zero();
+    StateVector steering = StateVector::Zero();
     steering.head<2>() =
         r * Eigen::Vector2d(0.0, v * v * dt * dt * dt / 6.0 + 0.5 * d * v * dt * dt);
     steering(kHeading) = 0.5 * v * dt * dt;
@@ -101,25 +102,28 @@ Matrix6d processNoise(const Vector6d& x, double dt, const MotionOptions& options
         std::min(options.maxCurvatureRate, options.lateralJerk / std::max(v * v, 1e-6));
     const double moving = std::min(1.0, std::abs(v) / 0.5);
 
-    Matrix6d q = options.accelerationSigma * options.accelerationSigma * acceleration *
-                 acceleration.transpose();
+    StateMatrix q = options.accelerationSigma * options.accelerationSigma * acceleration *
+                    acceleration.transpose();
     q += rate * rate * moving * steering * steering.transpose();
     q(kX, kX) += options.slipSigma * options.slipSigma * dt;
     q(kY, kY) += options.slipSigma * options.slipSigma * dt;
     q(kHeading, kHeading) += options.headingSigma * options.headingSigma * dt;
     q(kAxis, kAxis) += options.axisSigma * options.axisSigma * dt;
+    q(kLength, kLength) += options.sizeSigma * options.sizeSigma * dt;
     return q;
 }
 
-Vector6d withinBounds(const Vector6d& x, double length, const MotionOptions& options)
+StateVector withinBounds(const StateVector& x, const MotionOptions& options)
 {
     const double v = x(kSpeed);
     const double kappa =
         std::min(options.maxCurvature, options.maxLateralAcceleration / std::max(v * v, 1e-6));
-    Vector6d y = x;
+    StateVector y = x;
+    constexpr double kLeastSize = 0.2;  // m
+    y(kLength) = std::max(kLeastSize, x(kLength));
     y(kHeading) = wrapAngle(x(kHeading));
     y(kCurvature) = std::clamp(x(kCurvature), -kappa, kappa);
-    y(kAxis) = std::clamp(x(kAxis), -0.1 * length, 0.45 * length);
+    y(kAxis) = std::clamp(x(kAxis), -0.1 * y(kLength), 0.45 * y(kLength));
     return y;
 }
 

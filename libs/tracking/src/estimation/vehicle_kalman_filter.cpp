@@ -7,7 +7,7 @@
 
 namespace vdamf
 {
-class VehicleKalmanFilter::Engine : public mrpt::bayes::CKalmanFilterCapable<6, 3, 0, 0>
+class VehicleKalmanFilter::Engine : public mrpt::bayes::CKalmanFilterCapable<7, 4, 0, 0>
 {
 public:
     explicit Engine(const MotionOptions& options) : options_(options)
@@ -16,20 +16,18 @@ public:
         KF_options.use_analytic_transition_jacobian = true;
         KF_options.use_analytic_observation_jacobian = true;
         KF_options.enable_profiler = false;
-        m_xkk.resize(6);
-        m_pkk.setSize(6, 6);
+        m_xkk.resize(7);
+        m_pkk.setSize(7, 7);
     }
 
-    VehicleState step(const VehicleState& state, double dt, const PoseMeasurement* measurement,
-                      double length)
+    VehicleState step(const VehicleState& state, double dt, const BoxMeasurement* measurement)
     {
         dt_ = dt;
         measurement_ = measurement;
-        length_ = length;
         m_xkk.asEigen() = state.mean;
         m_pkk.asEigen() = state.covariance;
         runOneKalmanIteration();
-        VehicleState next;
+        VehicleState next = state;
         next.mean = m_xkk.asEigen();
         next.covariance = m_pkk.asEigen();
         return next;
@@ -41,7 +39,7 @@ protected:
     void OnTransitionModel(const KFArray_ACT&, KFArray_VEH& x, bool& skip) const override
     {
         skip = dt_ == 0.0;
-        if (!skip) x.asEigen() = predictState(x.asEigen(), dt_, length_, options_);
+        if (!skip) x.asEigen() = predictState(x.asEigen(), dt_, options_);
     }
 
     void OnTransitionJacobian(KFMatrix_VxV& f) const override
@@ -57,7 +55,7 @@ protected:
     void OnGetObservationNoise(KFMatrix_OxO& r) const override
     {
         if (measurement_ != nullptr)
-            r.asEigen() = measurement_->covariance;
+            r.asEigen() = measurement_->covariance.topLeftCorner<4, 4>();
         else
             r.setIdentity();
     }
@@ -71,20 +69,21 @@ protected:
         z.clear();
         if (measurement_ == nullptr) return;
         z.resize(1);
-        z[0].asEigen() = measurement_->pose;
+        z[0].asEigen() = measurement_->box.head<4>();
     }
 
     void OnObservationModel(const std::vector<size_t>&,
                             vector_KFArray_OBS& predictions) const override
     {
         predictions.resize(1);
-        predictions[0].asEigen() = m_xkk.asEigen().head<3>();
+        predictions[0].asEigen() << m_xkk.asEigen().head<3>(), m_xkk[kLength];
     }
 
     void OnObservationJacobians(size_t, KFMatrix_OxV& hx, KFMatrix_OxF&) const override
     {
         hx.setZero();
-        hx.asEigen().leftCols<3>().setIdentity();
+        hx.asEigen().topLeftCorner<3, 3>().setIdentity();
+        hx(3, kLength) = 1.0;
     }
 
     void OnSubstractObservationVectors(KFArray_OBS& a, const KFArray_OBS& b) const override
@@ -96,15 +95,14 @@ protected:
     // Called after each prediction and update. MRPT's P = (I - K H) P loses symmetry by rounding.
     void OnNormalizeStateVector() override
     {
-        m_xkk.asEigen() = withinBounds(m_xkk.asEigen(), length_, options_);
+        m_xkk.asEigen() = withinBounds(m_xkk.asEigen(), options_);
         m_pkk.asEigen() = (0.5 * (m_pkk.asEigen() + m_pkk.asEigen().transpose())).eval();
     }
 
 private:
     MotionOptions options_;
     double dt_ = 0.0;
-    double length_ = 0.0;
-    const PoseMeasurement* measurement_ = nullptr;
+    const BoxMeasurement* measurement_ = nullptr;
 };
 
 VehicleKalmanFilter::VehicleKalmanFilter(const MotionOptions& options)
@@ -115,34 +113,60 @@ VehicleKalmanFilter::~VehicleKalmanFilter() = default;
 VehicleKalmanFilter::VehicleKalmanFilter(VehicleKalmanFilter&&) noexcept = default;
 VehicleKalmanFilter& VehicleKalmanFilter::operator=(VehicleKalmanFilter&&) noexcept = default;
 
-VehicleState VehicleKalmanFilter::predict(const VehicleState& state, double dt, double length)
+VehicleState VehicleKalmanFilter::predict(const VehicleState& state, double dt)
 {
     if (dt <= 0.0) return state;
-    return engine_->step(state, dt, nullptr, length);
+    return engine_->step(state, dt, nullptr);
 }
 
-UpdatedState VehicleKalmanFilter::update(const VehicleState& state,
-                                         const PoseMeasurement& measurement, double length)
+VehicleState VehicleKalmanFilter::update(const VehicleState& state,
+                                         const BoxMeasurement& measurement)
 {
-    UpdatedState updated;
-    updated.innovation = innovationOf(state, measurement);
-    updated.nis = nisOf(state, measurement);
-    updated.state = engine_->step(state, 0.0, &measurement, length);
-    return updated;
+    // The width that is known says where the centre is if only one side is seen.
+    const BoxMeasurement centred = withKnown(measurement, 4, state.width, state.widthVariance);
+    VehicleState next = engine_->step(state, 0.0, &centred);
+    const double gain = state.widthVariance / (state.widthVariance + measurement.covariance(4, 4));
+    next.width += gain * (measurement.box(4) - state.width);
+    next.widthVariance *= 1.0 - gain;
+    return next;
 }
 
-Eigen::Vector3d innovationOf(const VehicleState& state, const PoseMeasurement& measurement)
+BoxMeasurement withKnown(const BoxMeasurement& measurement, Eigen::Index row, double value,
+                         double variance)
 {
-    Eigen::Vector3d innovation = measurement.pose - state.mean.head<3>();
-    innovation(2) = wrapAngle(innovation(2));
-    return innovation;
+    BoxMeasurement m = measurement;
+    const Vector5d gain =
+        measurement.covariance.col(row) / (measurement.covariance(row, row) + variance);
+    m.box += gain * (value - measurement.box(row));
+    m.covariance -= gain * measurement.covariance.row(row);
+    return m;
 }
 
-double nisOf(const VehicleState& state, const PoseMeasurement& measurement)
+double Innovation::nis() const
 {
-    const Eigen::Matrix3d s = state.covariance.topLeftCorner<3, 3>() + measurement.covariance;
-    const Eigen::Vector3d innovation = innovationOf(state, measurement);
-    return innovation.dot(s.ldlt().solve(innovation));
+    return value.dot(covariance.ldlt().solve(value));
+}
+
+Innovation innovationOf(const VehicleState& state, const BoxMeasurement& measurement)
+{
+    Matrix5d p = Matrix5d::Zero();
+    p.topLeftCorner<3, 3>() = state.covariance.topLeftCorner<3, 3>();
+    p.block<3, 1>(0, 3) = state.covariance.block<3, 1>(0, kLength);
+    p.block<1, 3>(3, 0) = state.covariance.block<1, 3>(kLength, 0);
+    p(3, 3) = state.covariance(kLength, kLength);
+    p(4, 4) = state.widthVariance;
+    Vector5d difference;
+    difference << measurement.box.head<3>() - state.mean.head<3>(),
+        measurement.box.tail<2>() - state.size();
+    difference(2) = wrapAngle(difference(2));
+    // d (x, y of the fixed point, heading) / d (x, y, heading, length, width)
+    const Eigen::Matrix2d r = rotation(state.mean(kHeading));
+    const Eigen::Vector2d offset = 0.5 * measurement.fixedPoint.cwiseProduct(state.size());
+    Eigen::Matrix<double, 3, 5> j = Eigen::Matrix<double, 3, 5>::Zero();
+    j.leftCols<3>().setIdentity();
+    j.block<2, 1>(0, 2) = r * Eigen::Vector2d(-offset.y(), offset.x());
+    j.block<2, 2>(0, 3) = r * (0.5 * measurement.fixedPoint).asDiagonal();
+    return {j * difference, j * (p + measurement.covariance) * j.transpose()};
 }
 
 }  // namespace vdamf

@@ -2,58 +2,59 @@
 #include "vdamf/tracking/estimation/visibility.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace vdamf
 {
 namespace
 {
-SizeEstimate updatedEstimate(const SizeEstimate& memory, double measured, double fitVariance,
-                             const VisibilityOptions& options)
+constexpr Face kFaces[2][2] = {{Face::Back, Face::Front}, {Face::Right, Face::Left}};
+
+double signOf(int end)
 {
-    // What the fit claims is capped: its model of the surface has errors that it does not see.
-    double noise = options.sizeSigma * options.sizeSigma + std::min(fitVariance, 1.0);
-    double prior = memory.variance + options.sizeDriftSigma * options.sizeDriftSigma;
-    const double innovation = measured - memory.mean;
-    const double sigma = std::sqrt(prior + noise);
-    constexpr double kLoss = 2.0;          // sigmas below the average: visibility loss
-    constexpr double kLossNoise = 1000.0;  // then a second of such sights moves the average little
-    if (innovation < -kLoss * sigma) noise *= kLossNoise;
-    // Hits never add to a vehicle: where they reach farther, the average was of partial sights.
-    if (innovation > kLoss * sigma) prior = std::max(prior, innovation * innovation);
-    const double gain = prior / (prior + noise);
-    return {memory.mean + gain * innovation, (1.0 - gain) * prior};
+    return end == 0 ? -1.0 : 1.0;
 }
+
+// How far the measured face lies outside of the predicted one, along its normal, m.
+double outside(const OrientedBox& measured, const OrientedBox& predicted, int axis, int end)
+{
+    const Eigen::Vector2d normal = signOf(end) * rotation(predicted.heading).col(axis);
+    const double growth =
+        axis == 0 ? measured.length - predicted.length : measured.width - predicted.width;
+    return normal.dot(measured.centre() - predicted.centre()) + 0.5 * growth;
+}
+
+// Of the two ends of an axis, the one that lies farther outside (sign +1) or inside (-1) than
+// predicted; a face that is seen itself is where it is.
+int suspect(const Measurement& m, const VehicleState& predicted, int axis, double sign)
+{
+    for (int end = 0; end < 2; ++end)
+        if (m.facesSeen.has(kFaces[axis][end])) return 1 - end;
+    const OrientedBox before = predicted.box();
+    return sign * outside(m.box, before, axis, 0) > sign * outside(m.box, before, axis, 1) ? 0 : 1;
+}
+
+// Measured size over the known one in standard deviations.
+struct SizeChange
+{
+    double metres = 0.0;
+    double sigmas = 0.0;
+};
+
+SizeChange sizeChange(const Measurement& m, const VehicleState& predicted, int axis,
+                      const VisibilityOptions& o)
+{
+    const double measured = axis == 0 ? m.box.length : m.box.width;
+    const double change = measured - predicted.size()(axis);
+    const double variance = predicted.sizeVariance()(axis) +
+                            std::min(1.0, m.covariance(3 + axis, 3 + axis)) +
+                            o.sizeSigma * o.sizeSigma;
+    return {change, change / std::sqrt(variance)};
+}
+
+constexpr double kClear = 2.0;  // sigmas from which on a change of size is not noise
 }  // namespace
-
-SizeMemory initialSize(const Measurement& m, const VisibilityOptions& o)
-{
-    // Ends and sides that could be a car's; what is not seen could be anything.
-    const bool lengthFits = !locatesLength(m) || m.box.length < 5.5;
-    const bool widthFits = !locatesWidth(m) || m.box.width < 2.3;
-    const bool carEnd = locatesWidth(m) && m.box.width > 1.3;
-    const bool carSide = locatesLength(m) && m.box.length > 2.1;
-    if (o.assumeVehicleSize && lengthFits && widthFits && (carEnd || carSide))
-    {
-        const SizeMemory car{{o.carLength, o.carLengthSigma * o.carLengthSigma},
-                             {o.carWidth, o.carWidthSigma * o.carWidthSigma}};
-        return updatedSize(car, m, o);
-    }
-    const double seen = o.sizeSigma * o.sizeSigma;
-    const double hidden = o.unseenSigma * o.unseenSigma;
-    return {{m.box.length, locatesLength(m) ? seen + std::min(1.0, m.covariance(3, 3)) : hidden},
-            {m.box.width, locatesWidth(m) ? seen + std::min(1.0, m.covariance(4, 4)) : hidden}};
-}
-
-SizeMemory updatedSize(const SizeMemory& memory, const Measurement& m, const VisibilityOptions& o)
-{
-    SizeMemory next = memory;
-    if (locatesLength(m))
-        next.length = updatedEstimate(memory.length, m.box.length, m.covariance(3, 3), o);
-    if (locatesWidth(m))
-        next.width = updatedEstimate(memory.width, m.box.width, m.covariance(4, 4), o);
-    return next;
-}
 
 Eigen::Vector2d nearestPoint(const OrientedBox& box, const Eigen::Vector2d& sensor)
 {
@@ -62,65 +63,122 @@ Eigen::Vector2d nearestPoint(const OrientedBox& box, const Eigen::Vector2d& sens
             std::clamp(view.y() / (0.5 * box.width), -1.0, 1.0)};
 }
 
-Eigen::Vector2d fixedPoint(const Measurement& m, const Eigen::Vector2d& sensor)
+FaceSet locatedFaces(const Measurement& m)
 {
-    Eigen::Vector2d point = nearestPoint(m.box, sensor);
-    const auto hides = [&](Face face) { return m.hiddenEnds.has(face); };
-    if (hides(Face::Front) != hides(Face::Back)) point.x() = hides(Face::Front) ? -1.0 : 1.0;
-    if (hides(Face::Left) != hides(Face::Right)) point.y() = hides(Face::Left) ? -1.0 : 1.0;
-    return point;
+    FaceSet located = m.facesSeen;
+    for (int axis = 0; axis < 2; ++axis)
+    {
+        const bool runsAlong = axis == 0 ? m.facesSeen.seesSide() : m.facesSeen.seesEnd();
+        for (const Face face : kFaces[axis])
+            if (runsAlong && !m.hiddenEnds.has(face)) located.add(face);
+    }
+    return located;
 }
 
-VehicleState resized(const VehicleState& state, const SizeMemory& before, const SizeMemory& after,
-                     const Eigen::Vector2d& fixedPoint)
+FaceErrors faceErrors(const Measurement& m, const VisibilityOptions& o)
 {
-    const Eigen::Vector2d move =
-        -0.5 * fixedPoint.cwiseProduct(Eigen::Vector2d(after.length.mean - before.length.mean,
-                                                       after.width.mean - before.width.mean));
-    VehicleState next = state;
-    next.mean.head<2>() += rotation(state.mean(kHeading)) * move;
-    // Every point of the axle line moves along the heading, so the axis point may follow the
-    // centre sideways: it then runs on a path of another radius.
-    const double ratio = 1.0 - state.mean(kCurvature) * move.y();
-    next.mean(kAxis) += move.x();
-    next.mean(kSpeed) *= ratio;
-    next.mean(kCurvature) /= ratio;
+    const FaceSet located = locatedFaces(m);
+    FaceErrors errors;
+    for (int axis = 0; axis < 2; ++axis)
+        for (int end = 0; end < 2; ++end)
+        {
+            const Face face = kFaces[axis][end];
+            const double told = located.has(face) ? o.sizeSigma : FaceErrors::kNotTold;
+            errors.sigma[axis][end] = m.facesSeen.has(face) ? o.positionFloor : told;
+        }
+    return errors;
+}
+
+FaceErrors faceErrors(const Measurement& m, const VehicleState& predicted,
+                      const VisibilityOptions& o)
+{
+    FaceErrors errors = faceErrors(m, o);
+    for (int axis = 0; axis < 2; ++axis)
+    {
+        if (!errors.tells(axis, 0) || !errors.tells(axis, 1)) continue;
+        const SizeChange change = sizeChange(m, predicted, axis, o);
+        if (change.metres > 0.0) continue;
+        const int end = suspect(m, predicted, axis, -1.0);
+        errors.sigma[axis][end] = std::max(-change.metres, o.shortfallSigma);
+    }
+    return errors;
+}
+
+VehicleState openToGrowth(const VehicleState& predicted, const Measurement& m,
+                          const VisibilityOptions& o)
+{
+    VehicleState next = predicted;
+    const FaceSet located = locatedFaces(m);
+    for (int axis = 0; axis < 2; ++axis)
+    {
+        const bool both = located.has(kFaces[axis][0]) && located.has(kFaces[axis][1]);
+        const SizeChange change = sizeChange(m, predicted, axis, o);
+        if (!both || change.sigmas < kClear) continue;
+        const double sign = signOf(suspect(m, predicted, axis, 1.0));
+        StateVector byFace = StateVector::Zero();
+        byFace.head<2>() = 0.5 * sign * rotation(predicted.mean(kHeading)).col(axis);
+        if (axis == 0)
+        {
+            byFace(kAxis) = 0.5 * sign;
+            byFace(kLength) = 1.0;
+        }
+        else
+        {
+            next.widthVariance += change.metres * change.metres;
+        }
+        next.covariance += change.metres * change.metres * byFace * byFace.transpose();
+    }
     return next;
 }
 
-PoseMeasurement anchoredPose(const Measurement& m, const SizeMemory& size,
-                             const Eigen::Vector2d& sensor, const VisibilityOptions& o)
+BoxMeasurement boxThrough(const Measurement& m, const FaceErrors& errors,
+                          const Eigen::Vector2d& known, const Eigen::Vector2d& sensor,
+                          const VisibilityOptions& o)
 {
-    const Eigen::Vector2d fixed = fixedPoint(m, sensor);
-    const Eigen::Vector2d offset =
-        0.5 * fixed.cwiseProduct(
-                  Eigen::Vector2d(m.box.length - size.length.mean, m.box.width - size.width.mean));
     const Eigen::Matrix2d r = rotation(m.box.heading);
-    // d pose / d (x, y, heading, length, width)
-    Eigen::Matrix<double, 3, 5> j = Eigen::Matrix<double, 3, 5>::Zero();
-    j.topLeftCorner<2, 2>().setIdentity();
+    Eigen::Vector2d fixed = nearestPoint(m.box, sensor);
+    Eigen::Vector2d size(m.box.length, m.box.width);
+    Eigen::Vector2d offset = Eigen::Vector2d::Zero();  // of the centre, in the box frame
+    Matrix5d j = Matrix5d::Identity();                 // d result / d measured
+    Matrix5d modelError = Matrix5d::Zero();
+    const auto addError = [&](int axis, int end, double sigma)
+    {
+        Vector5d byFace = Vector5d::Zero();
+        byFace.head<2>() = 0.5 * r.col(axis);
+        byFace(3 + axis) = signOf(end);
+        modelError += sigma * sigma * byFace * byFace.transpose();
+    };
+    for (int axis = 0; axis < 2; ++axis)
+    {
+        const bool has[2] = {errors.tells(axis, 0), errors.tells(axis, 1)};
+        if (has[0] != has[1]) fixed(axis) = signOf(has[1] ? 1 : 0);
+        if (!has[0] || !has[1])
+        {
+            offset(axis) = 0.5 * fixed(axis) * (size(axis) - known(axis));
+            size(axis) = known(axis);
+            j.block<2, 1>(0, 3 + axis) = 0.5 * fixed(axis) * r.col(axis);
+            j(3 + axis, 3 + axis) = 0.0;
+        }
+        for (int end = 0; end < 2; ++end)
+        {
+            const bool vague = m.facesSeen.empty() && signOf(end) * fixed(axis) > 0.0;
+            addError(axis, end, vague ? o.unseenSigma : errors.sigma[axis][end]);
+        }
+    }
+    const Eigen::Vector2d lever = -0.5 * fixed.cwiseProduct(size);  // fixed point to centre
     j.block<2, 1>(0, 2) = r * Eigen::Vector2d(-offset.y(), offset.x());
-    j.block<2, 1>(0, 3) = r * Eigen::Vector2d(0.5 * fixed.x(), 0.0);
-    j.block<2, 1>(0, 4) = r * Eigen::Vector2d(0.0, 0.5 * fixed.y());
-    j(2, 2) = 1.0;
+    Vector5d turn = Vector5d::Zero();
+    turn.head<2>() = r * Eigen::Vector2d(-lever.y(), lever.x());
+    constexpr double kShapeless = 0.25;  // rad, of hits on no face
+    const double withoutSide = m.facesSeen.seesEnd() ? o.endOnlyHeadingFloor : kShapeless;
+    turn(2) = m.facesSeen.seesSide() ? o.headingFloor : withoutSide;
+    turn.head<2>() *= turn(2);
 
-    PoseMeasurement pose;
-    pose.pose.head<2>() = m.box.centre() + r * offset;
-    pose.pose(2) = m.box.heading;
-    pose.covariance = j * m.covariance * j.transpose();
-    const double position = m.facesSeen.empty() ? o.unseenSigma : o.positionFloor;
-    const double heading = m.facesSeen.seesSide() ? o.headingFloor : o.endOnlyHeadingFloor;
-    pose.covariance(0, 0) += position * position;
-    pose.covariance(1, 1) += position * position;
-    pose.covariance(2, 2) += heading * heading;
-    // A row of hits with both ends hidden slides along itself as what hides it moves.
-    constexpr double kUnknown = 30.0;  // m
-    const auto bothHidden = [&](Face a, Face b)
-    { return m.hiddenEnds.has(a) && m.hiddenEnds.has(b) ? kUnknown * kUnknown : 0.0; };
-    const Eigen::Vector2d unknown(bothHidden(Face::Front, Face::Back),
-                                  bothHidden(Face::Left, Face::Right));
-    pose.covariance.topLeftCorner<2, 2>() += r * unknown.asDiagonal() * r.transpose();
-    return pose;
+    BoxMeasurement result;
+    result.box << m.box.centre() + r * offset, m.box.heading, size;
+    result.covariance = j * m.covariance * j.transpose() + modelError + turn * turn.transpose();
+    result.fixedPoint = fixed;
+    return result;
 }
 
 Measurement turnedBy(const Measurement& measurement, int quarters)

@@ -19,6 +19,7 @@ struct FaceLineOptions
     int iterations = 6;        ///< of reweighting
     double corner = 0.25;      ///< along a face from the corner of both: bumpers are round there, m
     double rangeNoise = 0.02;  ///< of the sensor, standard deviation, m
+    double bodyDepth = 0.0;    ///< of what no hits show inside of the hull, m
     double minHits = 4.0;      ///< on a face, for a line
 };
 
@@ -26,8 +27,9 @@ struct FaceLineOptions
 struct FaceLine
 {
     bool exists = false;
-    double at = 0.0;     ///< signed, along its axis of the turned box, from its middle, m
-    double shape = 0.0;  ///< how far the surface departs from a plane, standard deviation, m
+    double at = 0.0;       ///< signed, along its axis of the turned box, from its middle, m
+    double outside = 0.0;  ///< of that what lies outside of the hits, m
+    double shape = 0.0;    ///< how far the surface departs from a plane, standard deviation, m
 };
 
 /// The near faces after the box has turned by `turn` about its middle.
@@ -48,10 +50,15 @@ struct FaceLines
 /// Vehicles are round and tapered: their hits lie inside of the hull that a box stands for, and the
 /// outermost ones tell of it best. So hits inside of a line weigh less than those outside, and the
 /// line goes outwards by what the scatter of the latter exceeds the sensor's noise. On plane faces
-/// both cancel. Nothing where no face has hits enough.
+/// both cancel. Of a body of which few heights are seen (lowerBodyShare()) the outermost part is
+/// probably not among them: its line goes out and its variance up with `bodyDepth`. Nothing where
+/// no face has hits enough.
 std::optional<FaceLines> fitFaceLines(const Hits& hits, const OrientedBox& box, FaceSet seen,
                                       const Eigen::Vector2d& sensor,
                                       const FaceLineOptions& options);
+
+/// The same lines where the hits are, not where the hull is.
+FaceLines throughHits(const FaceLines& lines);
 
 /// The box with its near faces on the lines; far faces stay where they are along their axes.
 OrientedBox onFaceLines(const OrientedBox& box, const FaceLines& lines);

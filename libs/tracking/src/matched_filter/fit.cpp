@@ -25,7 +25,7 @@ Fit fitMatchedFilter(const Hits& hits, const FilterShape& shape, const Eigen::Ve
                                 : nloptOptimize(objective, fit.box, options);
     fit.box = optimum.box;
     fit.box.heading = wrapAngle(fit.box.heading);
-    fit.match = objective.matchPerHit(fit.box);
+    fit.match = objective.matchPerHit(optimum.box, optimum.value);
     fit.iterations = optimum.iterations;
     fit.converged = optimum.converged;
     return fit;

@@ -50,13 +50,14 @@ public:
         return cost;
     }
 
-    double value(const OrientedBox& box) const { return -matchPerHit(box) + priorCost(box); }
-
-    double matchPerHit(const OrientedBox& box) const
+    double value(const OrientedBox& box) const
     {
         const double match = kernel_ ? response(box).value : matchValue(hits_, shape_, box, phi_);
-        return match / hits_.totalWeight;
+        return priorCost(box) - match / hits_.totalWeight;
     }
+
+    /// The response per hit of a box whose cost is known.
+    double matchPerHit(const OrientedBox& box, double cost) const { return priorCost(box) - cost; }
 
     /// Differences of values smaller than this are rounding, for values about `value`. Single
     /// precision places an edge to 1e-7 m, where the response per hit changes by up to 3 / m^2.
@@ -97,11 +98,12 @@ inline OrientedBox movedWithinBounds(const OrientedBox& box, const Vector5d& ste
     return b;
 }
 
-/// The optimizers: from `start` (within bounds) to a box, the evaluations used, and whether the
-/// tolerance was met.
+/// The optimizers: from `start` (within bounds) to a box, its cost, the evaluations used, and
+/// whether the tolerance was met.
 struct Optimum
 {
     OrientedBox box;
+    double value = 0.0;
     int iterations = 0;
     bool converged = false;
 };

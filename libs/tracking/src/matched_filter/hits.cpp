@@ -35,38 +35,68 @@ bool isUsable(float x, float y)
     return std::abs(x) < 1e7F && std::abs(y) < 1e7F;
 }
 
+std::uint64_t heightsOf(const Cluster& cluster)
+{
+    std::uint64_t heights = 0;
+    for (const float height : cluster.height)
+        if (height >= 0.0F && height < 6.4F)
+            heights |= std::uint64_t{1} << static_cast<unsigned>(10.0F * height);
+    return heights;
+}
+
+// std::floor() calls into the library where the processor's own rounding may not be assumed.
+std::int64_t floorOf(double value)
+{
+    const auto truncated = static_cast<std::int64_t>(value);
+    return truncated - (value < static_cast<double>(truncated) ? 1 : 0);
+}
+
 // Finds the cell of a hit by its column and row: open addressing, so that the cost is one look a
-// hit however large the cluster is.
+// hit however large the cluster is. The table grows with the cells, of which there are far fewer
+// than hits: a small one stays in the nearest cache.
 class CellFinder
 {
 public:
-    CellFinder(std::size_t hits, double cellSize) : perMetre_(1.0 / cellSize)
-    {
-        std::size_t slots = 64;
-        while (slots < 2 * hits) slots *= 2;
-        slots_.assign(slots, Slot{0, kFree});
-    }
+    explicit CellFinder(double cellSize) : perMetre_(1.0 / cellSize), slots_(256) {}
 
     // The number of the hit's cell; `next` where it is the first hit of a new one.
     std::size_t find(float x, float y, std::size_t next)
     {
-        const auto column = static_cast<std::int64_t>(std::floor(x * perMetre_));
-        const auto row = static_cast<std::int64_t>(std::floor(y * perMetre_));
-        const std::int64_t key = row * (std::int64_t{1} << 32) + column;
-        const std::size_t mask = slots_.size() - 1;
-        auto at = static_cast<std::size_t>(column + row * 0x9e3779b1) & mask;
-        while (slots_[at].cell != kFree && slots_[at].key != key) at = (at + 1) & mask;
-        if (slots_[at].cell == kFree) slots_[at] = {key, next};
-        return slots_[at].cell;
+        if (2 * next >= slots_.size()) grow();
+        const std::int64_t column = floorOf(x * perMetre_);
+        const std::int64_t row = floorOf(y * perMetre_);
+        const Slot wanted{row * (std::int64_t{1} << 32) + column, column + row * 0x9e3779b1, next};
+        Slot& slot = slotFor(wanted);
+        if (slot.cell == kFree) slot = wanted;
+        return slot.cell;
     }
 
 private:
     static constexpr std::size_t kFree = static_cast<std::size_t>(-1);
     struct Slot
     {
-        std::int64_t key;
-        std::size_t cell;
+        std::int64_t key = 0;
+        std::int64_t hash = 0;
+        std::size_t cell = kFree;
     };
+
+    // The one with the wanted key or, if there is none, the one to put it.
+    Slot& slotFor(const Slot& wanted)
+    {
+        const std::size_t mask = slots_.size() - 1;
+        auto at = static_cast<std::size_t>(wanted.hash) & mask;
+        while (slots_[at].cell != kFree && slots_[at].key != wanted.key) at = (at + 1) & mask;
+        return slots_[at];
+    }
+
+    void grow()
+    {
+        std::vector<Slot> old(2 * slots_.size());
+        old.swap(slots_);
+        for (const Slot& slot : old)
+            if (slot.cell != kFree) slotFor(slot) = slot;
+    }
+
     double perMetre_;
     std::vector<Slot> slots_;
 };
@@ -75,9 +105,11 @@ private:
 std::vector<Cell> cellsOf(const Cluster& cluster, double cellSize)
 {
     std::vector<Cell> cells;
-    cells.reserve(cluster.size());
     std::optional<CellFinder> finder;
-    if (cellSize > 0.0) finder.emplace(cluster.size(), cellSize);
+    if (cellSize > 0.0)
+        finder.emplace(cellSize);
+    else
+        cells.reserve(cluster.size());
     for (std::size_t i = 0; i < cluster.size(); ++i)
     {
         const float x = cluster.x[i];
@@ -91,10 +123,22 @@ std::vector<Cell> cellsOf(const Cluster& cluster, double cellSize)
 }
 }  // namespace
 
+double lowerBodyShare(const Hits& hits)
+{
+    // Nothing but zeros: of points without height.
+    if (hits.heights <= 1) return 1.0;
+    constexpr unsigned kFirst = 3;
+    constexpr unsigned kLast = 9;
+    unsigned seen = 0;
+    for (unsigned k = kFirst; k <= kLast; ++k) seen += (hits.heights >> k) & 1U;
+    return seen / (kLast - kFirst + 1.0);
+}
+
 Hits projectHits(const Cluster& cluster, double cellSize)
 {
     Hits hits;
     const std::vector<Cell> cells = cellsOf(cluster, cellSize);
+    hits.heights = heightsOf(cluster);
     for (auto* column :
          {&hits.x, &hits.y, &hits.weight, &hits.varianceX, &hits.covariance, &hits.varianceY})
         column->reserve(cells.size());
@@ -120,6 +164,7 @@ Hits joined(const Hits& a, const Hits& b)
     all.y.insert(all.y.end(), b.y.begin(), b.y.end());
     all.weight.insert(all.weight.end(), b.weight.begin(), b.weight.end());
     all.totalWeight += b.totalWeight;
+    all.heights |= b.heights;
     const auto append = [&](std::vector<double>& to, const std::vector<double>& from)
     {
         if (to.empty() && from.empty()) return;

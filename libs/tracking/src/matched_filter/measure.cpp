@@ -5,8 +5,8 @@
 #include <cmath>
 #include <vector>
 
-#include "matched_filter/face_box.h"
 #include "matched_filter/face_extent.h"
+#include "matched_filter/find_faces.h"
 #include "matched_filter/match_kernel.h"
 #include "vdamf/tracking/matched_filter/covariance.h"
 
@@ -43,27 +43,36 @@ OrientedBox betterStart(const Hits& hits, const Eigen::Vector2d& sensor, const F
     return match(moved) > match(start) ? moved : start;
 }
 
-// A step of this length ends the search for where the lines start, m and rad.
-constexpr double kBeforeLines = 0.03;
-
-// From the filter's box, up to half a metre too large, to the faces: first with a wide view of
-// what lies on them, then with a narrow one.
-std::optional<FaceBox> onFaces(const Hits& hits, const OrientedBox& fitted, FaceSet seen,
-                               const Eigen::Vector2d& sensor, const MeasureOptions& options)
+// The filter has to come within reach of the lines only.
+FitOptions beforeLines(const FitOptions& options)
 {
-    FaceLineOptions wide;
-    wide.rangeNoise = options.rangeNoise;
-    wide.gate = 0.7;
-    wide.sigma = 0.2;
-    wide.iterations = 4;
-    const auto first = fitFaceLines(hits, fitted, seen, sensor, wide);
-    if (!first) return std::nullopt;
-    const OrientedBox box = onFaceLines(fitted, *first);
-    FaceLineOptions narrow;
-    narrow.rangeNoise = options.rangeNoise;
-    const auto lines = fitFaceLines(hits, box, seen, sensor, narrow);
-    if (!lines) return std::nullopt;
-    return boxFromFaces(hits, box, seen, sensor, *lines, options.hiddenFaceSigma, options.fit);
+    constexpr double kTolerance = 0.1;  // m and rad
+    // What goes on longer moves a face that no hits show.
+    constexpr int kIterations = 8;
+    FitOptions coarse = options;
+    coarse.tolerance = std::max(options.tolerance, kTolerance);
+    coarse.maxIterations = std::min(options.maxIterations, kIterations);
+    return coarse;
+}
+
+// What is known where no face is: nothing shows any of them, and any heading near the fitted one
+// may be right.
+Matrix5d withNoFaceSeen(const Matrix5d& covariance, double heading, double unseenSigma)
+{
+    constexpr double kHeadingSigma = 0.25;  // rad
+    const double each = unseenSigma * unseenSigma;
+    Vector5d unseen;
+    unseen << 0.5 * each, 0.5 * each, kHeadingSigma * kHeadingSigma, 2.0 * each, 2.0 * each;
+    // An end may lie anywhere along the vehicle's length, a side along its smaller width.
+    constexpr double kSideToEnd = 0.25;
+    unseen(1) *= kSideToEnd;
+    unseen(4) *= kSideToEnd;
+    Matrix5d all = covariance;
+    all += unseen.asDiagonal();
+    const Eigen::Matrix2d toWorld = rotation(heading);
+    all.topLeftCorner<2, 2>() = covariance.topLeftCorner<2, 2>() +
+                                toWorld * unseen.head<2>().asDiagonal() * toWorld.transpose();
+    return all;
 }
 }  // namespace
 
@@ -115,32 +124,39 @@ Measurement measureTarget(const Hits& hits, const Eigen::Vector2d& sensor, const
         prior = SizePrior{knownLengthWidth->x(), knownLengthWidth->y(), options.sizePriorWeight,
                           options.sizePriorWeight};
     const std::vector<FilterShape> steps = filterSteps(options);
-    FitOptions fitOptions = options.fit;
     const bool linesFollow = options.filter == FilterKind::FaceLines;
-    if (linesFollow) fitOptions.tolerance = std::max(fitOptions.tolerance, kBeforeLines);
+    const OrientedBox onHits = betterStart(hits, sensor, steps.front(), start);
     Measurement m;
-    m.box = betterStart(hits, sensor, steps.front(), start);
+    m.box = onHits;
     m.hits = static_cast<int>(std::lround(hits.totalWeight));
     Fit fit;
-    for (const FilterShape& shape : steps)
+    const auto optimise = [&](const FilterShape& shape, const FitOptions& fitOptions)
     {
         fit = fitMatchedFilter(hits, shape, sensor, m.box, fitOptions, prior);
         m.box = fit.box;
         m.iterations += fit.iterations;
-    }
-    m.match = fit.match;
-    m.converged = fit.converged;
-    m.facesSeen = facesSeen(hits, m.box, sensor, options);
+        m.match = fit.match;
+        m.converged = fit.converged;
+    };
+    const FitOptions first = linesFollow ? beforeLines(options.fit) : options.fit;
+    for (const FilterShape& shape : steps) optimise(shape, first);
     if (linesFollow)
     {
-        if (const auto faces = onFaces(hits, m.box, m.facesSeen, sensor, options))
+        if (const auto faces = findFaces(hits, m.box, onHits, sensor, options))
         {
-            m.box = faces->box;
-            m.covariance = faces->covariance;
+            m.box = faces->fit.box;
+            m.covariance = faces->fit.covariance;
+            m.facesSeen = faces->seen;
+            // The filter may stop early for the lines, but not where the options cut it short.
+            m.converged |= first.maxIterations < options.fit.maxIterations;
             return m;
         }
+        optimise(steps.front(), options.fit);
     }
+    m.facesSeen = facesSeen(hits, m.box, sensor, options);
     m.covariance = fitCovariance(hits, steps.back(), m.box, fit.phi, options.hitSigma);
+    if (linesFollow)
+        m.covariance = withNoFaceSeen(m.covariance, m.box.heading, options.hiddenFaceSigma);
     if (options.reachOverHits) m.box = reachingOverHits(hits, m.box, m.facesSeen, sensor);
     return m;
 }

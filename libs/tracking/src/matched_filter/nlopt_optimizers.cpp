@@ -77,7 +77,8 @@ Optimum nloptOptimize(const FitObjective& objective, const OrientedBox& start,
     {
         converged = false;  // nlopt gave up; p holds the best point
     }
-    return {problem.box(p), problem.evaluations, converged};
+    const OrientedBox box = problem.box(p);
+    return {box, objective.value(box), problem.evaluations, converged};
 }
 
 }  // namespace vdamf

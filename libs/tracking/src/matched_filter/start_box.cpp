@@ -42,6 +42,12 @@ Bounds boundsAt(const Hits& hits, double heading)
 }
 }  // namespace
 
+double widestEnd(double height)
+{
+    constexpr double kLow = 2.2;  // m
+    return height < kLow ? 2.15 : 2.7;
+}
+
 OrientedBox startBox(const Hits& hits, const Eigen::Vector2d& sensor, double widestEnd,
                      const FitOptions& options)
 {

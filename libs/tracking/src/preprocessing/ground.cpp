@@ -66,11 +66,14 @@ AboveGround removeGround(const LadarFrame& frame, const GroundOptions& options)
 {
     const PolarGrid grid(options.maxRange);
     const PolarHits hits = locateHits(frame, options);
-    const std::vector<LowHits> low = lowestHits(frame.points, hits, grid);
-    const auto plane = findGroundPlane(grid, low, options);
-    if (!plane)
+    const auto allInRange = [&] {
         return hitsBetween(levelSurface(grid, options), hits, frame.points, -1e9F, 1e9F,
                            grid.rings);
+    };
+    if (frame.planar) return allInRange();
+    const std::vector<LowHits> low = lowestHits(frame.points, hits, grid);
+    const auto plane = findGroundPlane(grid, low, options);
+    if (!plane) return allInRange();
     return hitsBetween(followGround(grid, low, *plane), hits, frame.points,
                        static_cast<float>(options.minHeight), static_cast<float>(options.maxHeight),
                        grid.rings);

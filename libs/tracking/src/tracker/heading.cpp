@@ -48,10 +48,10 @@ bool endIsASide(const Track& track)
 {
     const Measurement& m = *track.measurement;
     if (!locatesWidth(m)) return false;
-    const double width = track.size.width.mean;
+    const double width = track.state.width;
     const bool tooWide = width > widestEnd(track.height);
     if (!locatesLength(m)) return tooWide;
-    return width > 1.15 * track.size.length.mean || (tooWide && m.box.width > m.box.length);
+    return width > 1.15 * track.state.mean(kLength) || (tooWide && m.box.width > m.box.length);
 }
 
 // The track started anew with its measurement turned; it keeps its identity and history.
@@ -63,7 +63,6 @@ Track quarterTurned(const Track& track, const Sighting& sighting, int quarters,
     const Track fresh = startedTrack(track.id, turned, options);
     Track next = track;
     next.state = fresh.state;
-    next.size = fresh.size;
     next.measurement = fresh.measurement;
     next.forwardSeen = false;
     constexpr double kCourseTime = 0.3;  // s, from which on a path tells a speed
@@ -72,41 +71,38 @@ Track quarterTurned(const Track& track, const Sighting& sighting, int quarters,
         next.state.mean(kSpeed) = course.speedAlong(next.state.mean(kHeading));
         next.state.covariance(kSpeed, kSpeed) = 1.0;
     }
+    next.hypotheses = hypothesesFrom(next.state);
     return next;
-}
-
-// The prior of the axle's offset in place of what is known of it.
-void resetAxis(Track& track, const MotionOptions& motion)
-{
-    const double length = track.size.length.mean;
-    track.state.mean(kAxis) = motion.axisFraction * length;
-    track.state.covariance.row(kAxis).setZero();
-    track.state.covariance.col(kAxis).setZero();
-    track.state.covariance(kAxis, kAxis) = std::pow(motion.axisFractionSigma * length, 2);
 }
 
 // Front and rear exchanged. The path of the axis point stays what it is: speed and curvature
 // change sign. Its offset would as well, but nobody's axle lies that far in front: what is known
-// of it is dropped.
+// of it gives way to the prior.
+VehicleState reversed(const VehicleState& state, const MotionOptions& motion)
+{
+    StateVector sign = StateVector::Ones();
+    sign(kSpeed) = sign(kCurvature) = -1.0;
+    VehicleState next = state;
+    next.mean = sign.cwiseProduct(state.mean);
+    next.mean(kHeading) = wrapAngle(state.mean(kHeading) + kPi);
+    next.mean(kAxis) = motion.axisFraction * state.mean(kLength);
+    next.covariance = sign.asDiagonal() * state.covariance * sign.asDiagonal();
+    next.covariance.row(kAxis).setZero();
+    next.covariance.col(kAxis).setZero();
+    next.covariance(kAxis, kAxis) = std::pow(motion.axisFractionSigma * state.mean(kLength), 2);
+    return next;
+}
+
 Track reversed(const Track& track, const MotionOptions& motion)
 {
     Track next = track;
-    Vector6d sign;
-    sign << 1.0, 1.0, 1.0, -1.0, -1.0, 1.0;
-    next.state.mean = sign.cwiseProduct(track.state.mean);
-    next.state.mean(kHeading) = wrapAngle(track.state.mean(kHeading) + kPi);
-    next.state.covariance = sign.asDiagonal() * track.state.covariance * sign.asDiagonal();
+    next.hypotheses.moving = reversed(track.hypotheses.moving, motion);
+    next.hypotheses.standing = reversed(track.hypotheses.standing, motion);
+    next.state = next.hypotheses.combined();
     next.measurement = alignedWith(*track.measurement, next.state.mean(kHeading));
-    resetAxis(next, motion);
     return next;
 }
 }  // namespace
-
-double widestEnd(double height)
-{
-    constexpr double kLow = 2.2;  // m
-    return height < kLow ? 2.15 : 2.7;
-}
 
 Track withCheckedHeading(const Track& track, const Sighting& sighting,
                          const TrackerOptions& options)

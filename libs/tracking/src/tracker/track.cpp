@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "vdamf/tracking/estimation/start_state.h"
+
 namespace vdamf
 {
 namespace
@@ -14,14 +16,6 @@ void appendToPath(Track& track, double time, const Eigen::Vector2d& position)
     track.path.push_back({time, position});
     while (track.path.front().time < time - kPathTime) track.path.pop_front();
 }
-
-// Evidence that a measurement lies outside the gate lowers its weight instead of losing the track.
-PoseMeasurement tempered(PoseMeasurement pose, const VehicleState& predicted, double gate)
-{
-    const double nis = nisOf(predicted, pose);
-    if (nis > gate) pose.covariance *= nis / gate;
-    return pose;
-}
 }  // namespace
 
 Track startedTrack(std::uint64_t id, const Sighting& sighting, const TrackerOptions& options)
@@ -29,18 +23,9 @@ Track startedTrack(std::uint64_t id, const Sighting& sighting, const TrackerOpti
     const Measurement& m = sighting.measurement;
     Track track;
     track.id = id;
-    track.size = initialSize(m, options.visibility);
-    const PoseMeasurement pose = anchoredPose(m, track.size, sighting.sensor, options.visibility);
-    const double length = track.size.length.mean;
-    const MotionOptions& motion = options.motion;
-    track.state.mean << pose.pose, 0.0, 0.0, motion.axisFraction * length;
-    track.state.covariance.topLeftCorner<3, 3>() = pose.covariance;
-    const double speed = options.lifecycle.startSpeedSigma;
-    const double axis = motion.axisFractionSigma * length;
-    constexpr double kStartCurvatureSigma = 0.05;  // 1/m
-    track.state.covariance(kSpeed, kSpeed) = speed * speed;
-    track.state.covariance(kCurvature, kCurvature) = kStartCurvatureSigma * kStartCurvatureSigma;
-    track.state.covariance(kAxis, kAxis) = axis * axis;
+    track.state = startState(m, sighting.sensor, options.lifecycle.startSpeedSigma,
+                             options.visibility, options.motion);
+    track.hypotheses = hypothesesFrom(track.state);
     track.groundZ = sighting.groundZ;
     track.height = sighting.height;
     track.sightings = 1;
@@ -57,14 +42,15 @@ Track sightedTrack(const Track& before, const Sighting& sighting, VehicleKalmanF
 {
     Track track = before;
     const Measurement m = alignedWith(sighting.measurement, track.state.mean(kHeading));
-    track.size = updatedSize(before.size, m, options.visibility);
-    track.state = resized(track.state, before.size, track.size, fixedPoint(m, sighting.sensor));
-    const PoseMeasurement pose = anchoredPose(m, track.size, sighting.sensor, options.visibility);
-    track.nis = nisOf(track.state, pose);
-    const UpdatedState updated =
-        filter.update(track.state, tempered(pose, track.state, options.lifecycle.nisGate),
-                      track.size.length.mean);
-    track.state = updated.state;
+    const VisibilityOptions& visibility = options.visibility;
+    const BoxMeasurement box = boxThrough(m, faceErrors(m, before.state, visibility),
+                                          before.state.size(), sighting.sensor, visibility);
+    track.nis = innovationOf(before.state, box).nis();
+    MotionHypotheses open = before.hypotheses;
+    open.moving = openToGrowth(open.moving, m, visibility);
+    open.standing = openToGrowth(open.standing, m, visibility);
+    track.hypotheses = updated(open, box, filter, options.lifecycle.nisGate);
+    track.state = track.hypotheses.combined();
     track.measurement = m;
     track.lastMatch = m.match;
     track.groundZ = sighting.groundZ;
@@ -75,8 +61,22 @@ Track sightedTrack(const Track& before, const Sighting& sighting, VehicleKalmanF
     if (track.status == TrackStatus::Coasting || (track.status == TrackStatus::Tentative &&
                                                   track.sightings >= options.lifecycle.confirmHits))
         track.status = TrackStatus::Confirmed;
-    appendToPath(track, sighting.time, pose.pose.head<2>());
+    appendToPath(track, sighting.time, box.box.head<2>());
     return withCheckedHeading(track, sighting, options);
+}
+
+Track predictedTrack(const Track& before, double dt, VehicleKalmanFilter& filter,
+                     const MotionOptions& options)
+{
+    Track track = before;
+    track.hypotheses = predicted(before.hypotheses, dt, filter, options);
+    // Unseen, a vehicle is likelier to go straight on than to keep turning in a circle.
+    constexpr double kTurnTime = 0.7;  // s
+    if (before.misses > 0) track.hypotheses.moving.mean(kCurvature) *= std::exp(-dt / kTurnTime);
+    track.state = track.hypotheses.combined();
+    track.measurement.reset();
+    track.nis.reset();
+    return track;
 }
 
 TrackReport reportOf(const Track& track)
@@ -90,8 +90,11 @@ TrackReport reportOf(const Track& track)
     report.speed = track.state.mean(kSpeed);
     report.yawRate = track.state.yawRate();
     report.covariance = track.state.covariance.topLeftCorner<4, 4>();
-    report.lengthVariance = track.size.length.variance;
-    report.widthVariance = track.size.width.variance;
+    const Eigen::Vector2d left = rotation(track.state.mean(kHeading)).col(1);
+    report.covariance.topLeftCorner<2, 2>() +=
+        0.25 * track.state.widthVariance * left * left.transpose();
+    report.lengthVariance = track.state.covariance(kLength, kLength);
+    report.widthVariance = track.state.widthVariance;
     if (track.measurement)
     {
         report.points = track.measurement->hits;

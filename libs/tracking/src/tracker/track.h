@@ -2,12 +2,13 @@
 // A tracked object between frames.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <deque>
 #include <optional>
 
 #include "tracker/sighting.h"
-#include "vdamf/tracking/estimation/visibility.h"
+#include "vdamf/tracking/estimation/motion_hypotheses.h"
 #include "vdamf/tracking/tracker/tracker.h"
 
 namespace vdamf
@@ -23,8 +24,8 @@ struct Track
 {
     std::uint64_t id = 0;
     TrackStatus status = TrackStatus::Tentative;
-    VehicleState state;  ///< world
-    SizeMemory size;
+    MotionHypotheses hypotheses;  ///< world
+    VehicleState state;           ///< both together
     double groundZ = 0.0;
     double height = 0.0;
     int sightings = 0;
@@ -37,29 +38,27 @@ struct Track
     std::optional<Measurement> measurement;
     std::optional<double> nis;
 
-    OrientedBox box() const
-    {
-        return {state.mean(kX), state.mean(kY), state.mean(kHeading), size.length.mean,
-                size.width.mean};
-    }
+    OrientedBox box() const { return state.box(); }
+    double lengthSigma() const { return std::sqrt(state.covariance(kLength, kLength)); }
+    double widthSigma() const { return std::sqrt(state.widthVariance); }
 };
 
 /// A new track from its first sighting.
 Track startedTrack(std::uint64_t id, const Sighting& sighting, const TrackerOptions& options);
 
-/// The track after a sighting: size memory, visibility correction, Kalman update, heading checks.
+/// The track after a sighting: visibility correction, Kalman update, heading checks.
 Track sightedTrack(const Track& track, const Sighting& sighting, VehicleKalmanFilter& filter,
                    const TrackerOptions& options);
-
-/// Width (m) above which a face cannot be a vehicle's end, by the vehicle's height (m): what is low
-/// is a car, trucks and buses are wider.
-double widestEnd(double height);
 
 /// The track with its front where path and shape say it is: exchanged with the rear when it drives
 /// backwards for long, turned by a quarter when it drives across its heading or is wider than any
 /// vehicle's end. `sighting` is the one that was just taken in.
 Track withCheckedHeading(const Track& track, const Sighting& sighting,
                          const TrackerOptions& options);
+
+/// The track `dt` seconds later.
+Track predictedTrack(const Track& track, double dt, VehicleKalmanFilter& filter,
+                     const MotionOptions& options);
 
 TrackReport reportOf(const Track& track);
 

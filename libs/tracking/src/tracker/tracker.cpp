@@ -78,12 +78,7 @@ private:
     {
         const double dt = time_ ? time - *time_ : 0.0;
         time_ = time;
-        for (Track& track : tracks_)
-        {
-            track.state = filter_.predict(track.state, dt, track.size.length.mean);
-            track.measurement.reset();
-            track.nis.reset();
-        }
+        for (Track& track : tracks_) track = predictedTrack(track, dt, filter_, options_.motion);
     }
 
     std::vector<PredictedTarget> targets(const Eigen::Vector3d& origin) const
@@ -93,8 +88,7 @@ private:
         for (const Track& track : tracks_)
         {
             all.push_back({relativeTo(track.box(), origin), positionSigma(track),
-                           std::sqrt(track.size.length.variance),
-                           std::sqrt(track.size.width.variance)});
+                           track.lengthSigma(), track.widthSigma()});
         }
         return all;
     }
@@ -203,11 +197,9 @@ private:
     {
         const Eigen::Vector2d inA = toBoxFrame(a.box(), b.state.mean.head<2>());
         const Eigen::Vector2d inB = toBoxFrame(b.box(), a.state.mean.head<2>());
-        const auto inside = [](const Eigen::Vector2d& p, const SizeMemory& size) {
-            return std::abs(p.x()) < 0.4 * size.length.mean &&
-                   std::abs(p.y()) < 0.4 * size.width.mean;
-        };
-        return inside(inA, a.size) || inside(inB, b.size);
+        const auto inside = [](const Eigen::Vector2d& p, const OrientedBox& box)
+        { return std::abs(p.x()) < 0.4 * box.length && std::abs(p.y()) < 0.4 * box.width; };
+        return inside(inA, a.box()) || inside(inB, b.box());
     }
 
     FrameResult reportFrame(const LadarFrame& frame, const SegmentedFrame& segmented) const

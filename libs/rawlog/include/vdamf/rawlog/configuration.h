@@ -12,12 +12,23 @@ namespace vdamf
 {
 struct ScanOptions
 {
-    std::string label;  ///< sensorLabel; empty: every scan is a frame
+    static constexpr double kLongestMerge = 0.2;  ///< s
+    std::string label;                            ///< sensorLabel; empty: any
+    bool deskew = true;
+    double merge = 0.0;  ///< s
 
     template <class Self, class Visitor>
     static void visit(Self& self, Visitor&& field)
     {
-        field(self.label, "label", "sensorLabel of the scans to track on; empty: all scans");
+        field(self.label, "label",
+              "sensorLabel of the scans to track on; empty: all scans, but those of line "
+              "scanners and range cameras only as long as there are no others");
+        field(self.deskew, "deskew",
+              "hits are placed by the pose of the vehicle at their own times, where the scan has "
+              "such times, and not by that at the scan's time");
+        field(self.merge, "merge_s", 0.0, kLongestMerge,
+              "scans of other sensors that begin at most this much later become one frame with a "
+              "scan; 0: each scan is a frame");
     }
 };
 

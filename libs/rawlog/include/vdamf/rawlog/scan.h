@@ -18,17 +18,33 @@ struct Scan
     double time = 0.0;  ///< of the observation, s (UNIX)
     std::string sensorLabel;
     Eigen::Vector3d sensorInVehicle = Eigen::Vector3d::Zero();  ///< m
-    PointCloud points;  ///< vehicle frame, m; `time` relative to the observation's time
+    PointCloud points;    ///< vehicle frame, m; `time` relative to the observation's time
+    bool planar = false;  ///< of a line scanner that is level on the vehicle (within 2 degrees)
 };
 
 /// True where the class is one that scanFrom() reads.
 bool isScan(const mrpt::obs::CObservation& observation);
 
-/// The hits of a CObservationPointCloud or CObservationVelodyneScan; nothing for other classes.
+/// True for scans of one line: CObservation2DRangeScan, CObservationRotatingScan of one row.
+bool isLineScan(const mrpt::obs::CObservation& observation);
+
+/// True for scans that show less than those of a 3D LADAR and are left out beside them: of line
+/// scanners and range cameras.
+bool isMinorScan(const mrpt::obs::CObservation& observation);
+
+/// Seconds from the observation's time to its last hit, without reading its points; 0 where its
+/// hits have no times. At most a second.
+double durationOf(const mrpt::obs::CObservation& observation);
+
+/// The hits of one of these, nothing for other classes:
+///  - CObservationPointCloud;
+///  - CObservationVelodyneScan, with the time of each hit;
+///  - CObservationRotatingScan of a VLP-16, an HDL-32E or of one row, with the time of each hit;
+///  - CObservation3DRangeScan: its points, else its range image through its camera model;
+///  - CObservation2DRangeScan: rays that are valid and shorter than its maximum range.
 /// Drops invalid returns (zero range, NaN); intensities above 1 are taken for 0..255 and scaled.
-/// Throws std::runtime_error with the reason where the
-/// observation is of a known class but cannot be read (external file missing, null cloud, unknown
-/// sensor model).
+/// Throws std::runtime_error with the reason where the observation is of a known class but cannot
+/// be read (external file missing, null cloud, unknown sensor model).
 std::optional<Scan> scanFrom(const mrpt::obs::CObservation& observation);
 
 }  // namespace vdamf

@@ -27,9 +27,10 @@ struct TrackRawlogJob
     /// Files that the caller writes beside these: checked not to be the input or another output.
     std::vector<std::filesystem::path> otherOutputs;
     OutputFile::Existing existing = OutputFile::Existing::Refuse;
-    /// Frames to track, [first, last): stamped scans by rising time, counted from 0. Scans outside
-    /// are not decoded. Entries before the first one are copied without annotation, those from the
-    /// next scan behind the last one on are left out.
+    /// Frames to track, [first, last): stamped scans by rising time, counted from 0, without those
+    /// that joined the frame of another sensor. Scans outside are not decoded. Entries before the
+    /// first one are copied without annotation, those from the next scan behind the last one on are
+    /// left out.
     std::uint64_t firstFrame = 0;
     std::uint64_t lastFrame = std::numeric_limits<std::uint64_t>::max();
     Configuration configuration;
@@ -48,6 +49,8 @@ struct TrackRawlogSummary
     std::uint64_t outOfOrder = 0;            ///< scans skipped: not later than the one before
     std::uint64_t unstamped = 0;             ///< scans skipped: without a time stamp
     std::uint64_t unreadable = 0;            ///< scans skipped: cannot be read
+    std::uint64_t merged = 0;                ///< scans that joined the frame of another sensor
+    std::uint64_t partlyDeskewed = 0;        ///< scans with hits at whose time there is no INS pose
     std::string firstUnreadable;             ///< why
     std::vector<std::string> sensors;        ///< labels of the scans, the first eight
     std::uint64_t tracksConfirmed = 0;       ///< different identities that were confirmed
@@ -69,11 +72,11 @@ using FrameListener =
 void checkPaths(const TrackRawlogJob& job);
 
 /// Runs the job. Memory does not grow with the input, but for 8 bytes an update of a track: a scan
-/// waits for INS poses at most over one second of entries, and for earlier scans that stand behind
-/// it in the file over 0.2 seconds. Outputs appear under their names when whole; after an error
-/// (thrown as std::runtime_error, its message names the file and the cause) or an interruption the
-/// frames done so far are in `<output>.partial`. `stop`, set from a signal handler, ends the run
-/// after the current frame.
+/// waits for INS poses at most over one second of entries behind its end, and for earlier scans
+/// that stand behind it in the file over 0.2 seconds. Outputs appear under their names when whole;
+/// after an error (thrown as std::runtime_error, its message names the file and the cause) or an
+/// interruption the frames done so far are in `<output>.partial`. `stop`, set from a signal
+/// handler, ends the run after the current frame.
 TrackRawlogSummary trackRawlog(const TrackRawlogJob& job, const std::atomic<bool>& stop,
                                const FrameListener& listener = {});
 

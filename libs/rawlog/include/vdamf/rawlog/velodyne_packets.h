@@ -27,6 +27,10 @@ enum class VelodyneModel
 /// times only if that has them. Throws std::runtime_error on a sensor that it does not know.
 PointCloud decodeVelodyne(const mrpt::obs::CObservationVelodyneScan& scan);
 
+/// Seconds from the observation's time to its last firing, without decoding it; 0 where the
+/// sensor is unknown or the hits have no times. At most a second.
+double durationOf(const mrpt::obs::CObservationVelodyneScan& scan);
+
 /// Elevation of each laser in the order of the packet, rad.
 const std::vector<double>& laserElevations(VelodyneModel model);
 

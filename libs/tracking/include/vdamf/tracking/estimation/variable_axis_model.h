@@ -24,6 +24,7 @@ struct MotionOptions
     double axisTime = 45.0;                   ///< s
     double axisFraction = 0.28;               ///< of the length
     double axisFractionSigma = 0.1;           ///< of the length
+    double sizeSigma = 0.02;                  ///< m/sqrt(s)
     double maxCurvature = 0.25;               ///< 1/m
     double maxLateralAcceleration = 6.0;      ///< m/s^2
 
@@ -47,25 +48,26 @@ struct MotionOptions
               "prior of the offset of the axle behind the centre, in lengths");
         field(self.axisFractionSigma, "axis_fraction_sigma", 0.001, 0.5,
               "standard deviation of that prior, in lengths");
+        field(self.sizeSigma, "size_sigma", 0.0, 1.0,
+              "drift that the average of measured sizes allows, m / sqrt(s)");
         field(self.maxCurvature, "max_curvature", 0.01, 1.0, "largest curvature of a path, 1/m");
         field(self.maxLateralAcceleration, "max_lateral_acceleration_mps2", 0.5, 30.0,
               "limit of the curvature at speed");
     }
 };
 
-/// State after dt seconds: closed form in the arc length, valid at standstill and in reverse.
-/// `length` (m) sets the prior that the axis offset returns to.
-Vector6d predictState(const Vector6d& state, double dt, double length,
-                      const MotionOptions& options);
+/// State after dt seconds: closed form in the arc length, valid at standstill and in reverse. The
+/// axis offset returns to a prior that goes with the length; the size stays.
+StateVector predictState(const StateVector& state, double dt, const MotionOptions& options);
 
 /// d predictState / d state.
-Matrix6d transitionJacobian(const Vector6d& state, double dt, const MotionOptions& options);
+StateMatrix transitionJacobian(const StateVector& state, double dt, const MotionOptions& options);
 
 /// Covariance of the process noise over dt seconds from `state`.
-Matrix6d processNoise(const Vector6d& state, double dt, const MotionOptions& options);
+StateMatrix processNoise(const StateVector& state, double dt, const MotionOptions& options);
 
-/// The state with its heading wrapped and curvature and axis offset within their bounds: |kappa|
-/// at most max_curvature and a_lat / v^2, d within [-0.1, 0.45] lengths.
-Vector6d withinBounds(const Vector6d& state, double length, const MotionOptions& options);
+/// The state with its heading wrapped and curvature, axis offset and size within their bounds:
+/// |kappa| at most max_curvature and a_lat / v^2, d within [-0.1, 0.45] lengths.
+StateVector withinBounds(const StateVector& state, const MotionOptions& options);
 
 }  // namespace vdamf

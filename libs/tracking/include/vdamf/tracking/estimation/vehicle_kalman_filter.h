@@ -6,24 +6,25 @@
 #include <memory>
 
 #include "vdamf/tracking/estimation/variable_axis_model.h"
+#include "vdamf/tracking/types/track.h"
 #include "vdamf/tracking/types/vehicle_state.h"
 
 namespace vdamf
 {
-/// A measured pose (x, y, heading) of the box centre with its covariance: world, m and rad.
-struct PoseMeasurement
+/// A measured box (x, y of the centre, heading, length, width) with its covariance: world, m and
+/// rad. What it does not tell has a large variance.
+struct BoxMeasurement
 {
-    Eigen::Vector3d pose = Eigen::Vector3d::Zero();
-    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+    Vector5d box = Vector5d::Zero();
+    Matrix5d covariance = Matrix5d::Zero();
+    /// The point of the box that it holds best: +-1 at the faces, 0 in the middle, along the length
+    /// and the width.
+    Eigen::Vector2d fixedPoint = Eigen::Vector2d::Zero();
 };
 
-/// A state after an update, and how the measurement sat with the prediction.
-struct UpdatedState
-{
-    VehicleState state;
-    Eigen::Vector3d innovation = Eigen::Vector3d::Zero();  ///< heading wrapped
-    double nis = 0.0;  ///< normalised innovation squared, 3 degrees of freedom
-};
+/// The measurement after another source's word on one of its rows.
+BoxMeasurement withKnown(const BoxMeasurement& measurement, Eigen::Index row, double value,
+                         double variance);
 
 /// mrpt::bayes::CKalmanFilterCapable (kfEKFNaive, the only one of its methods that is right) with
 /// the variable-axis model. One object serves all tracks: MRPT's filter is 600 kB large and cannot
@@ -36,18 +37,24 @@ public:
     VehicleKalmanFilter(VehicleKalmanFilter&&) noexcept;
     VehicleKalmanFilter& operator=(VehicleKalmanFilter&&) noexcept;
 
-    /// The state `dt` seconds later; `length` (m) is that of the vehicle.
-    VehicleState predict(const VehicleState& state, double dt, double length);
-    UpdatedState update(const VehicleState& state, const PoseMeasurement& measurement,
-                        double length);
+    /// The state `dt` seconds later.
+    VehicleState predict(const VehicleState& state, double dt);
+    VehicleState update(const VehicleState& state, const BoxMeasurement& measurement);
 
 private:
     class Engine;
     std::unique_ptr<Engine> engine_;
 };
 
-/// Innovation of a measurement against a predicted state, heading wrapped, and its NIS.
-Eigen::Vector3d innovationOf(const VehicleState& state, const PoseMeasurement& measurement);
-double nisOf(const VehicleState& state, const PoseMeasurement& measurement);
+/// How a measurement sits with a predicted state, judged by what it tells best: place of its fixed
+/// point and heading, 3 degrees of freedom.
+struct Innovation
+{
+    Eigen::Vector3d value = Eigen::Vector3d::Zero();  ///< heading wrapped
+    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+
+    double nis() const;  ///< normalised innovation squared
+};
+Innovation innovationOf(const VehicleState& state, const BoxMeasurement& measurement);
 
 }  // namespace vdamf

@@ -5,6 +5,7 @@
 #include "vdamf/tracking/estimation/vehicle_kalman_filter.h"
 #include "vdamf/tracking/types/measurement.h"
 #include "vdamf/tracking/types/options.h"
+#include "vdamf/tracking/types/vehicle_state.h"
 
 namespace vdamf
 {
@@ -14,10 +15,10 @@ struct VisibilityOptions
     double headingFloor = 0.5 * kPi / 180.0;         ///< rad
     double endOnlyHeadingFloor = 3.0 * kPi / 180.0;  ///< rad
     double unseenSigma = 0.5;                        ///< m
-    double sizeSigma = 0.15;                         ///< m
-    double sizeDriftSigma = 0.01;                    ///< m/sqrt(frame)
+    double sizeSigma = 0.2;                          ///< m
+    double shortfallSigma = 0.4;                     ///< m
     bool assumeVehicleSize = true;
-    double carLength = 4.2;       ///< m
+    double carLength = 4.3;       ///< m
     double carLengthSigma = 0.5;  ///< m
     double carWidth = 1.75;       ///< m
     double carWidthSigma = 0.15;  ///< m
@@ -26,16 +27,17 @@ struct VisibilityOptions
     static void visit(Self& self, Visitor&& field)
     {
         field(self.positionFloor, "position_floor_m", 0.0, 1.0,
-              "model error of a measured position, beside Eq. 14");
+              "model error of the place of a face seen, beside Eq. 14");
         field(self.headingFloor, "heading_floor_deg", 0.0, 30.0,
               "model error of a measured heading");
         field(self.endOnlyHeadingFloor, "end_only_heading_floor_deg", 0.0, 90.0,
               "model error of a measured heading where no side is seen");
         field(self.unseenSigma, "unseen_sigma_m", 0.01, 5.0,
               "error of a position measured without any face seen");
-        field(self.sizeSigma, "size_sigma_m", 0.01, 2.0, "error of one measured length or width");
-        field(self.sizeDriftSigma, "size_drift_sigma", 0.0, 1.0,
-              "drift that the average of measured sizes allows, m / sqrt(frame)");
+        field(self.sizeSigma, "size_sigma_m", 0.01, 2.0,
+              "model error of a far end that only a row of hits tells");
+        field(self.shortfallSigma, "shortfall_sigma_m", 0.01, 5.0,
+              "the same where that end falls short of the one known");
         field(self.assumeVehicleSize, "assume_vehicle_size",
               "sizes start from a car's where a seen end or side fits a car");
         field(self.carLength, "car_length_m", 2.0, 8.0, "length of an assumed car");
@@ -45,20 +47,6 @@ struct VisibilityOptions
         field(self.carWidthSigma, "car_width_sigma_m", 0.02, 1.0,
               "standard deviation of that width");
     }
-};
-
-/// Long-term robust average of one dimension.
-struct SizeEstimate
-{
-    double mean = 0.0;      ///< m
-    double variance = 0.0;  ///< m^2
-};
-
-/// Length and width of a track. Kept beside the kinematic state.
-struct SizeMemory
-{
-    SizeEstimate length;
-    SizeEstimate width;
 };
 
 /// Whether a measurement locates both ends of the vehicle's length or width: the ends of a face
@@ -73,34 +61,45 @@ inline bool locatesWidth(const Measurement& m)
     return m.facesSeen.seesEnd() && !m.hiddenEnds.seesSide();
 }
 
-/// Memory of a new track: what is measured, after a car's size where that fits (assumeVehicleSize).
-SizeMemory initialSize(const Measurement& measurement, const VisibilityOptions& options);
-
-/// Memory after another measurement. A size clearly below the average is a loss of visibility and
-/// hardly counts; a larger one counts in full, as hits never add to a vehicle.
-SizeMemory updatedSize(const SizeMemory& memory, const Measurement& measurement,
-                       const VisibilityOptions& options);
-
 /// Where on the box the point nearest to the sensor lies: +-1 at the faces, 0 in the middle, along
 /// the length (x) and the width (y). A corner of the box but for a sensor abreast of it.
 Eigen::Vector2d nearestPoint(const OrientedBox& box, const Eigen::Vector2d& sensor);
 
-/// The point of the box that a measurement holds best, in the same form: the one nearest to the
-/// sensor, or at the other end where that end is hidden.
-Eigen::Vector2d fixedPoint(const Measurement& measurement, const Eigen::Vector2d& sensor);
+/// Faces whose place a measurement tells: those seen, and those where the row of hits along a face
+/// seen ends, unless something hides that end.
+FaceSet locatedFaces(const Measurement& measurement);
 
-/// The state after its box grew from `before` to `after` with a point of the box held (as of
-/// fixedPoint). The tracked centre moves inside the body, so the axis offset, and for a move to
-/// the side speed and curvature, move along.
-VehicleState resized(const VehicleState& state, const SizeMemory& before, const SizeMemory& after,
-                     const Eigen::Vector2d& fixedPoint);
+/// Standard deviation of the place of each face, m: by axis (length, width) and end (low, high).
+struct FaceErrors
+{
+    double sigma[2][2] = {};
 
-/// Pose of the centre of a box of the remembered size that shares the fixed point with the
-/// measured box. Covariance through the faces (Eq. 15): what hidden faces would add does not
-/// enter; along an axis with both ends hidden the position is unknown. Measurement and sensor
-/// share their origin.
-PoseMeasurement anchoredPose(const Measurement& measurement, const SizeMemory& size,
-                             const Eigen::Vector2d& sensor, const VisibilityOptions& options);
+    static constexpr double kNotTold = 10.0;  ///< of a face that a measurement does not tell, m
+    bool tells(int axis, int end) const { return sigma[axis][end] < kNotTold; }
+};
+
+/// Model errors of the faces, beside what the measurement's covariance says: of those seen, of
+/// those where a row of hits ends, and of the others.
+FaceErrors faceErrors(const Measurement& measurement, const VisibilityOptions& options);
+
+/// The same with what the predicted state tells of visibility (4.5). Rows of hits end short of the
+/// vehicle rather than beyond it, so a face that falls behind the one known counts less, by as
+/// much as the whole box is too small.
+FaceErrors faceErrors(const Measurement& measurement, const VehicleState& predicted,
+                      const VisibilityOptions& options);
+
+/// The predicted state, less certain of its size where the measurement shows clearly more than it
+/// knew: hits never add to a vehicle, so the face that is ahead most is news. Speed is not touched:
+/// centre, axle and size move as that face does.
+VehicleState openToGrowth(const VehicleState& predicted, const Measurement& measurement,
+                          const VisibilityOptions& options);
+
+/// What the faces say of the whole box: a face that is not told is where the `known` length and
+/// width put it, and counts for nothing; the other one is the fixed point. Covariance through the
+/// faces (Eq. 15), with their model errors. Measurement and sensor share their origin.
+BoxMeasurement boxThrough(const Measurement& measurement, const FaceErrors& errors,
+                          const Eigen::Vector2d& known, const Eigen::Vector2d& sensor,
+                          const VisibilityOptions& options);
 
 /// The same measurement with its front turned counter-clockwise by quarter turns: odd ones exchange
 /// length and width.

@@ -15,7 +15,8 @@ namespace vdamf
 ///
 /// Directions that the hits do not hold (the length of a vehicle seen from behind) have almost no
 /// curvature; their curvature counts as at least 1e-4 of the largest, which makes their variance
-/// large and finite.
+/// large and finite; a variance of 1 (m^2, rad^2) is added along them, because hits exactly in a
+/// row would otherwise tell of certainty.
 Matrix5d fitCovariance(const Hits& hits, const FilterShape& shape, const OrientedBox& box,
                        double phi, double hitSigma);
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "vdamf/tracking/types/cluster.h"
@@ -21,6 +22,8 @@ struct Hits
     /// Of the hits of each centre about it, m^2: by x, by both, by y. Empty: every centre is one
     /// hit.
     std::vector<double> varianceX, covariance, varianceY;
+    /// Bit k: there are hits from k to k + 1 tenths of a metre above the ground. 0: unknown.
+    std::uint64_t heights = 0;
 
     std::size_t size() const { return x.size(); }
 
@@ -31,6 +34,10 @@ struct Hits
         return dx * dx * varianceX[i] + 2.0 * dx * dy * covariance[i] + dy * dy * varianceY[i];
     }
 };
+
+/// Share (0..1) of the heights of a vehicle's lower body, 0.3 to 1.0 m above the ground, that have
+/// hits; 1 where heights are unknown.
+double lowerBodyShare(const Hits& hits);
 
 /// Projects clusters into the plane and merges the hits of each cell of `cellSize` (m, 0: no
 /// merging) into their mean. Hits that are not finite are dropped.

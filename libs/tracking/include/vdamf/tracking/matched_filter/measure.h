@@ -34,6 +34,7 @@ struct MeasureOptions
     double mergeCell = 0.1;                    ///< m
     double hitSigma = 0.12;                    ///< m
     double rangeNoise = 0.02;                  ///< m
+    double bodyDepth = 0.06;                   ///< m
     double hiddenFaceSigma = 1.0;              ///< m
     double sizePriorWeight = 0.02;             ///< 1/m^3
     double minFaceAngle = 10.0 * kPi / 180.0;  ///< rad
@@ -56,6 +57,8 @@ struct MeasureOptions
               "sigma_p of Eq. 14: effective scatter of one hit about the surface");
         field(self.rangeNoise, "range_noise_m", 0.001, 1.0,
               "face_lines: standard deviation of the sensor's ranges");
+        field(self.bodyDepth, "body_depth_m", 0.0, 1.0,
+              "face_lines: how far bodies lie inside of their hull where no hits are; 0: walls");
         field(self.hiddenFaceSigma, "hidden_face_sigma_m", 0.01, 10.0,
               "face_lines: error of the place of a face that nothing shows");
         field(
@@ -80,6 +83,10 @@ FaceSet facesSeen(const Hits& hits, const OrientedBox& box, const Eigen::Vector2
 Measurement measureTarget(const Hits& hits, const Eigen::Vector2d& sensor, const OrientedBox& start,
                           const MeasureOptions& options,
                           const std::optional<Eigen::Vector2d>& knownLengthWidth = std::nullopt);
+
+/// Width (m) above which a face cannot be a vehicle's end, by the vehicle's height (m): what is low
+/// is a car, trucks and buses are wider.
+double widestEnd(double height);
 
 /// Start for hits of which nothing is known (4.3: "the boundaries of each cluster provide a
 /// starting state"): the rectangle around them whose edges they follow best, with the heading

@@ -25,7 +25,7 @@ struct LifecycleOptions
     double maxExtent = 25.0;  ///< m
     int confirmHits = 3;
     int tentativeMisses = 2;
-    double maxCoast = 1.0;         ///< s
+    double maxCoast = 2.5;         ///< s
     double startSpeedSigma = 8.0;  ///< m/s
     double nisGate = 11.34;
 

@@ -25,6 +25,10 @@ struct FaceSet
     {
         bits = static_cast<std::uint8_t>(bits | static_cast<std::uint8_t>(face));
     }
+    void remove(Face face)
+    {
+        bits = static_cast<std::uint8_t>(bits & ~static_cast<std::uint8_t>(face));
+    }
     bool empty() const { return bits == 0; }
     bool seesEnd() const { return has(Face::Front) || has(Face::Back); }
     bool seesSide() const { return has(Face::Left) || has(Face::Right); }

@@ -33,6 +33,9 @@ struct LadarFrame
     Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< of the points, in the world, m
     Eigen::Vector3d sensor = Eigen::Vector3d::Zero();  ///< of the LADAR, in the world, m
     PointCloud points;                                 ///< world axes, relative to `origin`
+    /// All hits lie in one level plane above the ground, like those of a line scanner: none is on
+    /// the ground, and their heights over it are not known.
+    bool planar = false;
 };
 
 }  // namespace vdamf

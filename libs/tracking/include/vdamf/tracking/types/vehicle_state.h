@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Kinematic state of a tracked vehicle with its covariance.
+// State of a tracked vehicle with its covariance: motion and size.
 #pragma once
 
 #include <Eigen/Core>
 
+#include "vdamf/tracking/types/geometry.h"
+
 namespace vdamf
 {
-using Vector6d = Eigen::Matrix<double, 6, 1>;
-using Matrix6d = Eigen::Matrix<double, 6, 6>;
+using StateVector = Eigen::Matrix<double, 7, 1>;
+using StateMatrix = Eigen::Matrix<double, 7, 7>;
 
 /// Rows of the state vector.
 enum StateRow
@@ -17,16 +19,29 @@ enum StateRow
     kHeading = 2,    ///< rad
     kSpeed = 3,      ///< of the axis point along the heading, negative in reverse, m/s
     kCurvature = 4,  ///< of the axis point's path, positive to the left, 1/m
-    kAxis = 5        ///< offset d: the axis point lies d behind the centre, m
+    kAxis = 5,       ///< offset d: the axis point lies d behind the centre, m
+    kLength = 6      ///< m
 };
 
-/// A Gaussian over the state.
+/// A Gaussian over the state. The length is part of it because centre and length err together: where
+/// only the rear is seen, the centre is as uncertain as half the length. The width, which is known
+/// better, stands beside it.
 struct VehicleState
 {
-    Vector6d mean = Vector6d::Zero();
-    Matrix6d covariance = Matrix6d::Zero();
+    StateVector mean = StateVector::Zero();
+    StateMatrix covariance = StateMatrix::Zero();
+
+    double width = 0.0;          ///< m
+    double widthVariance = 0.0;  ///< m^2
 
     double yawRate() const { return mean(kSpeed) * mean(kCurvature); }
+
+    Eigen::Vector2d size() const { return {mean(kLength), width}; }
+    Eigen::Vector2d sizeVariance() const { return {covariance(kLength, kLength), widthVariance}; }
+    OrientedBox box() const
+    {
+        return {mean(kX), mean(kY), mean(kHeading), mean(kLength), width};
+    }
 };
 
 }  // namespace vdamf

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "range_camera.h"
+
+#include <mrpt/maps/CSimplePointsMap.h>
+
+#include <stdexcept>
+
+namespace vdamf
+{
+PointCloud hitsOf(const mrpt::obs::CObservation3DRangeScan& scan)
+{
+    // Loading and projecting change the object.
+    mrpt::obs::CObservation3DRangeScan copy = scan;
+    copy.load();
+    PointCloud cloud;
+    if (copy.hasPoints3D)
+    {
+        cloud.x.assign(copy.points3D_x.begin(), copy.points3D_x.end());
+        cloud.y.assign(copy.points3D_y.begin(), copy.points3D_y.end());
+        cloud.z.assign(copy.points3D_z.begin(), copy.points3D_z.end());
+        if (cloud.y.size() != cloud.size() || cloud.z.size() != cloud.size())
+            throw std::runtime_error("the coordinates of its points differ in number");
+        return cloud;
+    }
+    if (!copy.hasRangeImage) throw std::runtime_error("it has no points and no range image");
+    mrpt::maps::CSimplePointsMap map;
+    copy.unprojectInto(map);
+    cloud.x.assign(map.getPointsBufferRef_x().begin(), map.getPointsBufferRef_x().end());
+    cloud.y.assign(map.getPointsBufferRef_y().begin(), map.getPointsBufferRef_y().end());
+    cloud.z.assign(map.getPointsBufferRef_z().begin(), map.getPointsBufferRef_z().end());
+    return cloud;
+}
+
+}  // namespace vdamf

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The vehicle's way during one scan.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <vector>
+
+#include "vdamf/rawlog/ins_trajectory.h"
+
+namespace vdamf
+{
+/// From vehicle to world axes relative to a frame's origin, m.
+struct VehicleInFrame
+{
+    Eigen::Matrix3f rotation = Eigen::Matrix3f::Identity();
+    Eigen::Vector3f translation = Eigen::Vector3f::Zero();
+};
+
+VehicleInFrame vehicleInFrame(const VehiclePose& pose, const Eigen::Vector3d& origin);
+
+/// Poses at steps of time, counted from the scan's time. Between two of the INS trajectory's, 1 ms
+/// apart, they lie on the chord: over 1 ms, motion of a vehicle is straight to 10 micrometres.
+class ScanPath
+{
+public:
+    /// `pose`: at the scan's time. `times`: of the hits, relative to it, s.
+    ScanPath(const std::vector<float>& times, const VehiclePose& pose, const InsTrajectory& ins,
+             const Eigen::Vector3d& origin);
+
+    /// The step nearest to a time. Times beyond a second count as the scan's time.
+    static int stepOf(float time);
+    const VehicleInFrame& at(int step) const { return steps_[index(step)]; }
+    /// Whether the INS gave all poses; else the nearest one on the scan's side stands in.
+    bool isComplete() const { return complete_; }
+
+private:
+    static constexpr int kStepsPerPose = 10;
+
+    std::size_t index(int step) const { return static_cast<std::size_t>(step - firstStep_); }
+    void interpolate(const std::vector<VehicleInFrame>& poses);
+
+    int firstStep_ = 0;
+    std::vector<VehicleInFrame> steps_;
+    bool complete_ = true;
+};
+
+}  // namespace vdamf

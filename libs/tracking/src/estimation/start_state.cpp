@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vdamf/tracking/estimation/start_state.h"
+
+namespace vdamf
+{
+namespace
+{
+// Ends and sides that could be a car's, or the part of one that is not hidden; what is not seen
+// could be anything.
+bool couldBeACar(const Measurement& m)
+{
+    const bool lengthFits = !m.facesSeen.seesSide() || m.box.length < 5.5;
+    const bool widthFits = !m.facesSeen.seesEnd() || m.box.width < 2.3;
+    const bool carEnd = m.facesSeen.seesEnd() && m.box.width > (locatesWidth(m) ? 1.3 : 0.9);
+    const bool carSide = m.facesSeen.seesSide() && m.box.length > (locatesLength(m) ? 2.1 : 1.2);
+    return lengthFits && widthFits && (carEnd || carSide);
+}
+
+BoxMeasurement withSizes(const Measurement& m, const Eigen::Vector2d& sensor,
+                         const VisibilityOptions& o)
+{
+    Eigen::Vector2d known(m.box.length, m.box.width);
+    Eigen::Vector2d sigma(o.unseenSigma, o.unseenSigma);
+    constexpr double kLongSide = 5.5;  // m, of vans, trucks and buses
+    constexpr double kLargeWidth = 2.1;
+    constexpr double kLargeWidthSigma = 0.3;
+    if (o.assumeVehicleSize && couldBeACar(m))
+    {
+        known = {o.carLength, o.carWidth};
+        sigma = {o.carLengthSigma, o.carWidthSigma};
+    }
+    else if (o.assumeVehicleSize && m.facesSeen.seesSide() && !m.facesSeen.seesEnd() &&
+             m.box.length > kLongSide)
+    {
+        known.y() = kLargeWidth;
+        sigma.y() = kLargeWidthSigma;
+    }
+    BoxMeasurement box = boxThrough(m, faceErrors(m, o), known, sensor, o);
+    box = withKnown(box, 3, known.x(), sigma.x() * sigma.x());
+    return withKnown(box, 4, known.y(), sigma.y() * sigma.y());
+}
+}  // namespace
+
+VehicleState startState(const Measurement& measurement, const Eigen::Vector2d& sensor,
+                        double speedSigma, const VisibilityOptions& visibility,
+                        const MotionOptions& motion)
+{
+    const BoxMeasurement box = withSizes(measurement, sensor, visibility);
+    const double axis = motion.axisFractionSigma * box.box(3);
+    constexpr double kCurvatureSigma = 0.05;  // 1/m
+    VehicleState state;
+    state.mean << box.box.head<3>(), 0.0, 0.0, motion.axisFraction * box.box(3), box.box(3);
+    state.width = box.box(4);
+    state.widthVariance = box.covariance(4, 4);
+    StateMatrix& p = state.covariance;
+    p.topLeftCorner<3, 3>() = box.covariance.topLeftCorner<3, 3>();
+    p.block<3, 1>(0, kLength) = box.covariance.block<3, 1>(0, 3);
+    p.block<1, 3>(kLength, 0) = box.covariance.block<1, 3>(3, 0);
+    p(kLength, kLength) = box.covariance(3, 3);
+    p(kSpeed, kSpeed) = speedSigma * speedSigma;
+    p(kCurvature, kCurvature) = kCurvatureSigma * kCurvatureSigma;
+    p(kAxis, kAxis) = axis * axis;
+    return state;
+}
+
+}  // namespace vdamf

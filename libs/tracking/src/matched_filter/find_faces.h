@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// From the matched filter's box to the faces of the vehicle, with a second look where few hits lie
+// on what was found.
+#pragma once
+
+#include <optional>
+
+#include "matched_filter/face_box.h"
+#include "vdamf/tracking/matched_filter/measure.h"
+
+namespace vdamf
+{
+struct FoundFaces
+{
+    FaceBox fit;
+    FaceSet seen;
+};
+
+/// Lines through the faces of `fitted`, the filter's box. If they hold too few of the hits (a bush
+/// was taken for a face), the start and the densest corner of the hits are tried as well, and the
+/// lines that hold the most hits are taken. Nothing where no face has hits enough.
+std::optional<FoundFaces> findFaces(const Hits& hits, const OrientedBox& fitted,
+                                    const OrientedBox& start, const Eigen::Vector2d& sensor,
+                                    const MeasureOptions& options);
+
+}  // namespace vdamf

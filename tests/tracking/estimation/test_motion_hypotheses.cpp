@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Standing and moving vehicles, told apart by how well each foretells.
+#include "vdamf/tracking/estimation/motion_hypotheses.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace vdamf
+{
+namespace
+{
+VehicleState unknownSpeed()
+{
+    VehicleState s;
+    s.mean << 0.0, 0.0, 0.0, 0.0, 0.0, 1.2, 4.5;
+    s.covariance.diagonal() << 0.01, 0.01, 1e-3, 64.0, 2.5e-3, 0.2, 0.05;
+    s.width = 1.8;
+    s.widthVariance = 0.01;
+    return s;
+}
+
+// Follows a vehicle along x, measured at 10 Hz with 6 cm of noise.
+class Follower
+{
+public:
+    void see(double x)
+    {
+        BoxMeasurement m;
+        const auto noise = [&](double sigma) { return sigma * gauss_(generator_); };
+        m.box << x + noise(0.06), noise(0.03), noise(0.01), 4.5 + noise(0.1), 1.8;
+        m.covariance.diagonal() << 0.0036, 0.0009, 1e-4, 0.01, 0.01;
+        hypotheses = updated(predicted(hypotheses, 0.1, filter_, options_), m, filter_, 11.34);
+    }
+
+    MotionHypotheses hypotheses = hypothesesFrom(unknownSpeed());
+
+private:
+    MotionOptions options_;
+    VehicleKalmanFilter filter_{MotionOptions()};
+    std::mt19937_64 generator_{4};
+    std::normal_distribution<double> gauss_;
+};
+
+TEST(MotionHypotheses, AParkedCarHasNoSpeed)
+{
+    Follower follower;
+    double worst = 0.0;
+    for (int k = 0; k < 100; ++k)
+    {
+        follower.see(0.0);
+        if (k > 10) worst = std::max(worst, std::abs(follower.hypotheses.combined().mean(kSpeed)));
+    }
+    EXPECT_LT(worst, 0.15);
+    EXPECT_GT(follower.hypotheses.standingProbability, 0.8);
+}
+
+TEST(MotionHypotheses, ACarThatPullsAwayIsFollowedAndStopsAgain)
+{
+    Follower follower;
+    double x = 0.0;
+    double speed = 0.0;
+    const auto drive = [&](double acceleration, int frames)
+    {
+        for (int k = 0; k < frames; ++k)
+        {
+            speed = std::max(0.0, speed + 0.1 * acceleration);
+            x += 0.1 * speed;
+            follower.see(x);
+        }
+        return follower.hypotheses.combined().mean(kSpeed);
+    };
+    drive(0.0, 30);
+    EXPECT_NEAR(drive(2.0, 10), 2.0, 0.5);
+    EXPECT_NEAR(drive(2.0, 20), 6.0, 0.4);
+    EXPECT_LT(follower.hypotheses.standingProbability, 0.05);
+    EXPECT_NEAR(drive(0.0, 20), 6.0, 0.2);
+    EXPECT_NEAR(drive(-3.0, 40), 0.0, 0.15);
+    EXPECT_GT(follower.hypotheses.standingProbability, 0.5);
+}
+
+TEST(MotionHypotheses, MixtureHasTheSpreadOfItsMeans)
+{
+    MotionHypotheses h = hypothesesFrom(unknownSpeed());
+    h.moving.mean(kSpeed) = 4.0;
+    h.moving.covariance(kSpeed, kSpeed) = 1.0;
+    h.moving.mean(kHeading) = 3.1;
+    h.standing.mean(kHeading) = -3.1;
+    const VehicleState both = h.combined();
+    EXPECT_NEAR(both.mean(kSpeed), 2.0, 1e-12);
+    EXPECT_NEAR(both.covariance(kSpeed, kSpeed), 0.5 + 0.25 * 16.0, 1e-12);
+    EXPECT_NEAR(std::abs(both.mean(kHeading)), kPi, 1e-12);
+}
+
+}  // namespace
+}  // namespace vdamf
