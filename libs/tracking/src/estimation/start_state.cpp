@@ -24,6 +24,10 @@ BoxMeasurement withSizes(const Measurement& m, const Eigen::Vector2d& sensor,
     constexpr double kLongSide = 5.5;  // m, of vans, trucks and buses
     constexpr double kLargeWidth = 2.1;
     constexpr double kLargeWidthSigma = 0.3;
+    constexpr double kTruckEnd = 2.3;  // m, the end of a truck or bus alone: its length is unknown
+    constexpr double kWidestTruckEnd = 2.8;
+    constexpr double kTruckLength = 8.0;
+    constexpr double kTruckLengthSigma = 2.5;
     if (o.assumeVehicleSize && couldBeACar(m))
     {
         known = {o.carLength, o.carWidth};
@@ -34,6 +38,12 @@ BoxMeasurement withSizes(const Measurement& m, const Eigen::Vector2d& sensor,
     {
         known.y() = kLargeWidth;
         sigma.y() = kLargeWidthSigma;
+    }
+    else if (o.assumeVehicleSize && m.facesSeen.seesEnd() && !m.facesSeen.seesSide() &&
+             m.box.width > kTruckEnd && m.box.width < kWidestTruckEnd)
+    {
+        known.x() = kTruckLength;
+        sigma.x() = kTruckLengthSigma;
     }
     BoxMeasurement box = boxThrough(m, faceErrors(m, o), known, sensor, o);
     box = withKnown(box, 3, known.x(), sigma.x() * sigma.x());

@@ -25,8 +25,8 @@ struct LifecycleOptions
     double maxExtent = 25.0;  ///< m
     int confirmHits = 3;
     int tentativeMisses = 2;
-    double maxCoast = 2.5;         ///< s
-    double startSpeedSigma = 8.0;  ///< m/s
+    double maxCoast = 2.5;          ///< s
+    double startSpeedSigma = 16.0;  ///< m/s
     double nisGate = 11.34;
 
     template <class Self, class Visitor>
