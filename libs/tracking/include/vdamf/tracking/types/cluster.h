@@ -7,8 +7,8 @@
 
 namespace vdamf
 {
-/// Hits of one cluster, structure of arrays of equal length (`time` may be empty). Coordinates are world axes relative
-/// to the frame's origin, like those of LadarFrame.
+/// Hits of one cluster, structure of arrays of equal length (`time` may be empty). Coordinates are
+/// world axes relative to the frame's origin, like those of LadarFrame.
 struct Cluster
 {
     std::vector<float> x;       ///< m

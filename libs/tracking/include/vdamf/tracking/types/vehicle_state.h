@@ -23,9 +23,9 @@ enum StateRow
     kLength = 6      ///< m
 };
 
-/// A Gaussian over the state. The length is part of it because centre and length err together: where
-/// only the rear is seen, the centre is as uncertain as half the length. The width, which is known
-/// better, stands beside it.
+/// A Gaussian over the state. The length is part of it because centre and length err together:
+/// where only the rear is seen, the centre is as uncertain as half the length. The width, which is
+/// known better, stands beside it.
 struct VehicleState
 {
     StateVector mean = StateVector::Zero();
@@ -38,10 +38,7 @@ struct VehicleState
 
     Eigen::Vector2d size() const { return {mean(kLength), width}; }
     Eigen::Vector2d sizeVariance() const { return {covariance(kLength, kLength), widthVariance}; }
-    OrientedBox box() const
-    {
-        return {mean(kX), mean(kY), mean(kHeading), mean(kLength), width};
-    }
+    OrientedBox box() const { return {mean(kX), mean(kY), mean(kHeading), mean(kLength), width}; }
 };
 
 }  // namespace vdamf
