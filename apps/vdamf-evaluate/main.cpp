@@ -2,17 +2,20 @@
 // vdamf-evaluate: how good tracks are, told by the truth.
 #include <CLI/CLI.hpp>
 #include <cerrno>
+#include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <exception>
 #include <filesystem>
 #include <memory>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "vdamf/evaluation/evaluation.h"
 #include "vdamf/evaluation/evaluation_json.h"
+#include "vdamf/files/numbers.h"
 #include "vdamf/files/output_file.h"
 #include "vdamf/report/evaluation_plots.h"
 #include "vdamf/report/evaluation_text.h"
@@ -44,30 +47,43 @@ struct Output
     std::string content;
 };
 
+// A number in a range; CLI::Range lets nan pass.
+CLI::Validator within(double min, double max)
+{
+    const std::string range = vdamf::toText(min) + " to " + vdamf::toText(max);
+    return {[=](std::string& text)
+            {
+                const auto value = vdamf::parseNumber(text);
+                const bool isInside = value && *value >= min && *value <= max;
+                return isInside ? std::string() : "'" + text + "': expected " + range;
+            },
+            "FLOAT in [" + range + "]"};
+}
+
 void declareScoring(CLI::App& app, CommandLine& line)
 {
     vdamf::ScoringOptions& scoring = line.options.scoring;
     app.add_option("--region-fov-deg", line.regionFovDegrees,
                    "labelled sector ahead of the sensor; 0: all around (KITTI: 80)")
-        ->check(CLI::Range(0.0, 360.0))
+        ->check(within(0.0, 360.0))
         ->capture_default_str();
     app.add_option("--max-range-m", scoring.maxRange, "score up to this range; 0: all")
-        ->check(CLI::Range(0.0, 1e4))
+        ->check(within(0.0, 1e4))
         ->capture_default_str();
     app.add_option("--min-points", scoring.minPoints, "objects with fewer hits do not count")
         ->check(CLI::Range(0, 1000000))
         ->capture_default_str();
     app.add_option("--overlap", scoring.overlap,
                    "bird's-eye IoU from which a track has found an object")
-        ->check(CLI::Range(0.01, 1.0))
+        ->check(within(0.01, 1.0))
         ->capture_default_str();
     app.add_option("--pair-overlap", line.options.pairOverlap,
                    "bird's-eye IoU of the pairs whose errors are told")
-        ->check(CLI::Range(0.01, 1.0))
+        ->check(within(0.01, 1.0))
         ->capture_default_str();
     app.add_option("--still-speed-mps", line.options.stillSpeed,
                    "objects slower than this stand still")
-        ->check(CLI::Range(0.0, 100.0))
+        ->check(within(0.0, 100.0))
         ->capture_default_str();
     app.add_flag("--vehicles-only", scoring.onlyVehicles,
                  "drop tracks that the discriminator takes for clutter");
@@ -175,10 +191,35 @@ void print(const std::string& text)
         throw std::runtime_error(std::string("standard output: ") + std::strerror(errno));
 }
 
+// Says so where tracks have frames that the truth knows nothing of: a truth of every second scan,
+// or of one sensor among several, would else pass for false alarms.
+void warnOfFramesWithoutTruth(const std::vector<vdamf::TruthRow>& truth,
+                              const std::vector<vdamf::TrackRow>& tracks)
+{
+    const auto millisecond = [](double time) { return std::llround(1e3 * time); };
+    std::set<long long> known;
+    for (const vdamf::TruthRow& row : truth) known.insert(millisecond(row.time));
+    std::set<long long> frames;
+    for (const vdamf::TrackRow& row : tracks) frames.insert(millisecond(row.time));
+    std::size_t unknown = 0;
+    for (const long long frame : frames)
+    {
+        const auto next = known.lower_bound(frame - 1);
+        const bool isWithin = !known.empty() && frame > *known.begin() && frame < *known.rbegin();
+        unknown += isWithin && (next == known.end() || *next > frame + 1) ? 1 : 0;
+    }
+    if (unknown == 0) return;
+    std::fprintf(stderr,
+                 "vdamf-evaluate: the truth has no row at the time of %zu of the tracks' %zu "
+                 "frames; every track in them counts as a false alarm\n",
+                 unknown, frames.size());
+}
+
 int run(const CommandLine& line)
 {
     const std::vector<vdamf::TruthRow> truth = vdamf::readTruth(line.truth);
     const std::vector<vdamf::TrackRow> tracks = vdamf::readTracks(line.tracks);
+    warnOfFramesWithoutTruth(truth, tracks);
     const vdamf::Evaluation evaluation = vdamf::evaluate(truth, tracks, line.options);
     if (!line.plots.empty() && !isOnePicture(line.plots)) fs::create_directories(line.plots);
     write(contentsOf(line, evaluation), line.overwrite);

@@ -109,8 +109,8 @@ int mainOf(int argc, char** argv)
     {
         app.parse(argc, argv);
         options = optionsOf(cli);
-        if (vdamf::sameFile(cli.input, cli.output))
-            throw std::invalid_argument("-i and -o name the same file");
+        vdamf::checkOutputPaths({cli.output},
+                                {{cli.input, "the input"}, {cli.config, "the configuration"}});
     }
     catch (const CLI::ParseError& error)
     {

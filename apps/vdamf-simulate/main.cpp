@@ -56,35 +56,35 @@ void declare(CLI::App& app, CommandLine& line)
         "--truth truth.csv");
 }
 
-/// Throws std::runtime_error where an output would be written over the scenario or another output.
+/// What the section [traffic] names, from the scenario's folder and from the current one.
+std::vector<vdamf::NamedInput> trafficInputs(const CommandLine& line,
+                                             const vdamf::IniDocument& document)
+{
+    std::vector<vdamf::NamedInput> inputs;
+    const vdamf::IniSection* const traffic = document.find("traffic");
+    if (traffic == nullptr) return inputs;
+    for (const vdamf::IniEntry& entry : traffic->entries)
+        for (const std::filesystem::path& folder : {line.scenario.parent_path(), {}})
+        {
+            const std::filesystem::path path = folder / entry.value;
+            if (entry.key == "table") inputs.push_back({path, "the traffic's table"});
+            if (entry.key != "argoverse_log") continue;
+            for (const char* file : {"annotations.csv", "city_SE3_egovehicle.csv"})
+                inputs.push_back({path / file, "the traffic's log"});
+        }
+    return inputs;
+}
+
+/// Throws std::runtime_error where an output would be written over an input or another output.
 void checkPaths(const CommandLine& line)
 {
+    vdamf::IniDocument document = vdamf::IniDocument::load(line.scenario);
+    for (const std::string& assignment : line.set) document.set(assignment);
+    std::vector<vdamf::NamedInput> inputs = trafficInputs(line, document);
+    inputs.push_back({line.scenario, "the scenario"});
     std::vector<std::filesystem::path> outputs{line.outputs.rawlog};
     if (!line.outputs.truth.empty()) outputs.push_back(line.outputs.truth);
-    for (const std::filesystem::path& output : outputs)
-    {
-        const std::filesystem::path partial = vdamf::partialPathOf(output);
-        if (vdamf::sameFile(output, line.scenario))
-        {
-            throw std::runtime_error(output.string() + ": is the scenario; choose another output");
-        }
-        if (vdamf::sameFile(partial, line.scenario))
-        {
-            throw std::runtime_error(output.string() + ": is written by way of " +
-                                     partial.string() +
-                                     ", which is the scenario; choose another output");
-        }
-        for (const std::filesystem::path& other : outputs)
-        {
-            const bool isOther = &other != &output;
-            if (isOther && (vdamf::sameFile(output, other) || vdamf::sameFile(partial, other)))
-            {
-                throw std::runtime_error("--truth " + line.outputs.truth.string() +
-                                         ": must be another file than --output " +
-                                         line.outputs.rawlog.string());
-            }
-        }
-    }
+    vdamf::checkOutputPaths(outputs, inputs);
 }
 
 vdamf::Scenario scenarioOf(const CommandLine& line)

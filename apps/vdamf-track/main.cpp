@@ -132,6 +132,7 @@ vdamf::TrackRawlogJob jobOf(const Cli& cli)
     if (!cli.tracks.empty()) job.tracks = cli.tracks;
     if (!cli.nis.empty()) job.nis = cli.nis;
     if (!cli.picture.empty()) job.otherOutputs.emplace_back(cli.picture);
+    job.configurationFile = cli.config;
     if (cli.overwrite) job.existing = vdamf::OutputFile::Existing::Overwrite;
     if (!cli.frames.empty()) parseFrames(cli.frames, job);
     job.version = VDAMF_VERSION;

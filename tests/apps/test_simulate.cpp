@@ -79,7 +79,7 @@ TEST_F(Simulate, BadUseAndBadScenariosEndWithTwo)
     EXPECT_EQ(run("scene.ini"), 2);
     EXPECT_EQ(run("scene.ini -o a.rawlog --gz-level 11"), 2);
     EXPECT_EQ(run("scene.ini -o a --truth a"), 2);
-    EXPECT_THAT(contentOf("err.txt"), HasSubstr("vdamf-simulate: --truth a: must be another file"));
+    EXPECT_THAT(contentOf("err.txt"), HasSubstr("vdamf-simulate: a: is named for two outputs"));
     EXPECT_EQ(run("scene.ini -o a --truth a.partial"), 2);
     EXPECT_EQ(run("scene.ini -o a.rawlog --unknown"), 2);
     EXPECT_THAT(contentOf("err.txt"), testing::StartsWith("vdamf-simulate: "));

@@ -37,6 +37,28 @@ TEST_F(OutputFileTest, DiscardLeavesNothing)
     EXPECT_EQ(filesInFolder(), 0U);
 }
 
+TEST_F(OutputFileTest, OutputsAreNeitherInputsNorEachOther)
+{
+    const auto problem = [&](const std::vector<std::filesystem::path>& outputs) -> std::string
+    {
+        try
+        {
+            checkOutputPaths(outputs, {{at("c.ini"), "the configuration"}, {"", "nothing"}});
+        }
+        catch (const std::runtime_error& error)
+        {
+            return error.what();
+        }
+        return "";
+    };
+    EXPECT_EQ(problem({at("a"), at("b")}), "");
+    EXPECT_THAT(problem({at("a"), at("c.ini")}), HasSubstr("c.ini: is the configuration"));
+    EXPECT_THAT(problem({at("a"), at("./a")}), HasSubstr("named for two outputs"));
+    EXPECT_THAT(problem({at("a"), at("a.partial")}), HasSubstr("named for two outputs"));
+    std::filesystem::create_symlink(at("c.ini"), at("link"));
+    EXPECT_THAT(problem({at("link")}), HasSubstr("is the configuration"));
+}
+
 TEST_F(OutputFileTest, KeepLeavesThePartial)
 {
     OutputFile(at("out"), Existing::Refuse, Unfinished::Keep).write("so far");

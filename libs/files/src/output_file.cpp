@@ -191,6 +191,28 @@ bool sameFile(const fs::path& a, const fs::path& b)
            fs::weakly_canonical(withoutLinks(b), error);
 }
 
+void checkOutputPaths(const std::vector<fs::path>& outputs, const std::vector<NamedInput>& inputs)
+{
+    for (std::size_t i = 0; i < outputs.size(); ++i)
+    {
+        const std::string name = outputs[i].string();
+        const fs::path partial = partialPathOf(outputs[i]);
+        for (const NamedInput& input : inputs)
+        {
+            if (input.path.empty()) continue;
+            if (sameFile(outputs[i], input.path))
+                throw std::runtime_error(name + ": is " + input.name + "; choose another output");
+            if (sameFile(partial, input.path))
+                throw std::runtime_error(name + ": is written by way of " + partial.string() +
+                                         ", which is " + input.name + "; choose another output");
+        }
+        for (std::size_t j = 0; j < i; ++j)
+            if (sameFile(outputs[i], outputs[j]) || sameFile(partial, outputs[j]) ||
+                sameFile(outputs[i], partialPathOf(outputs[j])))
+                throw std::runtime_error(name + ": is named for two outputs");
+    }
+}
+
 bool isStandardOutput(const fs::path& path)
 {
     return descriptorNamed(path) == STDOUT_FILENO;

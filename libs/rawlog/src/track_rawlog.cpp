@@ -242,20 +242,8 @@ void checkPaths(const TrackRawlogJob& job)
     std::vector<std::filesystem::path> outputs = job.otherOutputs;
     for (const auto& output : {job.output, job.tracks, job.nis})
         if (output) outputs.push_back(*output);
-    for (std::size_t i = 0; i < outputs.size(); ++i)
-    {
-        const std::string name = outputs[i].string();
-        if (sameFile(outputs[i], job.input))
-            throw std::runtime_error(name + ": is the input; choose another output");
-        const std::filesystem::path partial = partialPathOf(outputs[i]);
-        if (sameFile(partial, job.input))
-            throw std::runtime_error(name + ": is written by way of " + partial.string() +
-                                     ", which is the input; choose another output");
-        for (std::size_t j = 0; j < i; ++j)
-            if (sameFile(outputs[i], outputs[j]) || sameFile(partial, outputs[j]) ||
-                sameFile(outputs[i], partialPathOf(outputs[j])))
-                throw std::runtime_error(name + ": is named for two outputs");
-    }
+    checkOutputPaths(outputs,
+                     {{job.input, "the input"}, {job.configurationFile, "the configuration"}});
 }
 
 TrackRawlogSummary trackRawlog(const TrackRawlogJob& job, const std::atomic<bool>& stop,

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace vdamf
 {
@@ -13,6 +15,18 @@ std::filesystem::path partialPathOf(const std::filesystem::path& path);
 
 /// True where both names lead to one file, which need not exist.
 bool sameFile(const std::filesystem::path& a, const std::filesystem::path& b);
+
+/// A file that is read, and what messages call it: "the input", "the configuration".
+struct NamedInput
+{
+    std::filesystem::path path;  ///< empty: there is none
+    std::string name;
+};
+
+/// Throws std::runtime_error where an output, or the `.partial` that it is written to, is an input
+/// or another output.
+void checkOutputPaths(const std::vector<std::filesystem::path>& outputs,
+                      const std::vector<NamedInput>& inputs);
 
 /// True for /dev/stdout and its other names: what is written there goes the way of printed text.
 bool isStandardOutput(const std::filesystem::path& path);

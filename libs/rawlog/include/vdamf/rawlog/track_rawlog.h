@@ -26,6 +26,8 @@ struct TrackRawlogJob
     std::optional<std::filesystem::path> nis;     ///< table of NisReport
     /// Files that the caller writes beside these: checked not to be the input or another output.
     std::vector<std::filesystem::path> otherOutputs;
+    std::filesystem::path configurationFile;  ///< where `configuration` is from, not to be written
+                                              ///< over; empty: none
     OutputFile::Existing existing = OutputFile::Existing::Refuse;
     /// Frames to track, [first, last): stamped scans by rising time, counted from 0, without those
     /// that joined the frame of another sensor. Scans outside are not decoded. Entries before the
