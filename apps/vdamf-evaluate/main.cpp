@@ -128,22 +128,7 @@ std::vector<fs::path> outputsOf(const CommandLine& line)
 
 void checkPaths(const CommandLine& line)
 {
-    const std::vector<fs::path> outputs = outputsOf(line);
-    for (std::size_t i = 0; i < outputs.size(); ++i)
-    {
-        for (const fs::path& input : {line.tracks, line.truth})
-        {
-            const bool same = vdamf::sameFile(outputs[i], input);
-            if (same || vdamf::sameFile(vdamf::partialPathOf(outputs[i]), input))
-                throw std::invalid_argument(outputs[i].string() +
-                                            ": would replace an input; choose another output");
-        }
-        for (std::size_t j = 0; j < i; ++j)
-        {
-            if (vdamf::sameFile(outputs[i], outputs[j]))
-                throw std::invalid_argument(outputs[i].string() + ": is named for two outputs");
-        }
-    }
+    vdamf::checkOutputPaths(outputsOf(line), {{line.tracks, "an input"}, {line.truth, "an input"}});
     if (!line.plots.empty() && !isOnePicture(line.plots) && fs::exists(line.plots) &&
         !fs::is_directory(line.plots))
     {
@@ -245,7 +230,7 @@ int mainOf(int argc, char** argv)
     {
         return app.exit(error) == 0 ? kDone : kBadUse;
     }
-    catch (const std::invalid_argument& error)
+    catch (const std::exception& error)
     {
         std::fprintf(stderr, "vdamf-evaluate: %s\n", error.what());
         return kBadUse;

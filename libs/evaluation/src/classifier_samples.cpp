@@ -13,12 +13,6 @@ enum class Ground
     UncountedVehicle
 };
 
-bool contains(const OrientedBox& box, const Eigen::Vector2d& point)
-{
-    const Eigen::Vector2d inside = toBoxFrame(box, point).cwiseAbs();
-    return inside.x() <= 0.5 * box.length && inside.y() <= 0.5 * box.width;
-}
-
 Ground groundOf(const ScoredFrame& frame, const std::vector<std::vector<double>>& overlaps,
                 std::size_t track, double minOverlap)
 {
@@ -26,8 +20,8 @@ Ground groundOf(const ScoredFrame& frame, const std::vector<std::vector<double>>
     for (std::size_t i = 0; i < frame.truth.size(); ++i)
     {
         const TruthRow& object = frame.truth[i];
-        const bool overlap = overlaps[i][track] > 0.0 && reaches(overlaps[i][track], minOverlap);
-        const bool on = overlap || contains(object.box, frame.tracks[track].report.box.centre());
+        const bool on =
+            isOn(object.box, frame.tracks[track].report.box, overlaps[i][track], minOverlap);
         if (!on || !isVehicleClass(object.objectClass)) continue;
         if (frame.counts[i]) return Ground::Vehicle;
         ground = Ground::UncountedVehicle;

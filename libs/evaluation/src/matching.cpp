@@ -33,22 +33,14 @@ Overlaps scoresOf(const ScoredFrame& frame, const Overlaps& overlaps, const Part
     return scores;
 }
 
-bool contains(const OrientedBox& box, const Eigen::Vector2d& point)
-{
-    const Eigen::Vector2d inside = toBoxFrame(box, point).cwiseAbs();
-    return inside.x() <= 0.5 * box.length && inside.y() <= 0.5 * box.width;
-}
-
 bool isOnDontCare(const ScoredFrame& frame, const Overlaps& overlaps, std::size_t track,
                   double minOverlap)
 {
-    const Eigen::Vector2d centre = frame.tracks[track].report.box.centre();
+    const OrientedBox& box = frame.tracks[track].report.box;
     for (std::size_t i = 0; i < frame.truth.size(); ++i)
     {
         if (frame.counts[i]) continue;
-        const double overlap = overlaps[i][track];
-        if (overlap > 0.0 && reaches(overlap, minOverlap)) return true;
-        if (contains(frame.truth[i].box, centre)) return true;
+        if (isOn(frame.truth[i].box, box, overlaps[i][track], minOverlap)) return true;
     }
     return false;
 }

@@ -47,4 +47,11 @@ std::vector<std::vector<double>> overlapsOf(const ScoredFrame& frame)
     return overlaps;
 }
 
+bool isOn(const OrientedBox& object, const OrientedBox& track, double overlap, double minOverlap)
+{
+    if (overlap > 0.0 && reaches(overlap, minOverlap)) return true;
+    const Eigen::Vector2d centre = toBoxFrame(object, track.centre()).cwiseAbs();
+    return centre.x() <= 0.5 * object.length && centre.y() <= 0.5 * object.width;
+}
+
 }  // namespace vdamf

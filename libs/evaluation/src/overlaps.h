@@ -18,4 +18,7 @@ inline bool reaches(double overlap, double threshold)
     return overlap >= threshold - kRounding;
 }
 
+/// Whether a track lies on an object: it overlaps it by `minOverlap`, or has its centre inside.
+bool isOn(const OrientedBox& object, const OrientedBox& track, double overlap, double minOverlap);
+
 }  // namespace vdamf
