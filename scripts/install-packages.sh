@@ -1,12 +1,13 @@
 #!/usr/bin/env bash
-# Installs the Debian packages that the build needs (packages.txt), if any is missing.
+# Installs Debian packages that are missing: those that the build needs (packages.txt) and those of the
+# lists that are named: scripts/install-packages.sh [list]...
 set -euo pipefail
 cd "$(dirname "$0")/.."
 missing=()
 while read -r package; do
     dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q '^install ok installed' ||
         missing+=("$package")
-done < packages.txt
+done < <(cat packages.txt "$@")
 [ ${#missing[@]} -eq 0 ] && exit 0
 echo "installing: ${missing[*]}"
 sudo=()

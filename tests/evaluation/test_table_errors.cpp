@@ -45,6 +45,10 @@ TEST_F(TableErrors, TracksErrorsNameTheCell)
     EXPECT_THAT(with(",120,", ",99999999999,"), HasSubstr("tracks.csv:3: column 'points'"));
     EXPECT_THAT(with("0.900000", "1.1"), HasSubstr("column 'vehicle_probability'"));
     EXPECT_THAT(with(",2.0000,", ",,"), HasSubstr("column 'y_m': expected a finite number"));
+    EXPECT_THAT(with(",4.5000,", ",0,"), HasSubstr("column 'length_m': expected a number above 0"));
+    EXPECT_THAT(with(",1.8000,", ",1800,"), HasSubstr("column 'width_m': expected a number above"));
+    EXPECT_THAT(with(",0.0003,", ",-0.0003,"),
+                HasSubstr("column 'var_heading_rad2': a variance is not below 0, found '-0.0003'"));
     EXPECT_THAT(tracksError("time_s\n1\n"), HasSubstr("the column 'track_id' is missing"));
 }
 

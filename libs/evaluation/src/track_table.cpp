@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "checked_cells.h"
 #include "csv_line.h"
 #include "row_order.h"
 #include "vdamf/evaluation/tables.h"
@@ -122,13 +123,13 @@ std::int64_t countOf(const CsvReader& reader, const char* column, std::int64_t m
 Eigen::Matrix4d covarianceOf(const CsvReader& reader)
 {
     Eigen::Matrix4d upper = Eigen::Matrix4d::Zero();
-    upper(0, 0) = reader.number("var_x_m2");
+    upper(0, 0) = varianceIn(reader, "var_x_m2");
     upper(0, 1) = reader.number("cov_xy_m2");
-    upper(1, 1) = reader.number("var_y_m2");
+    upper(1, 1) = varianceIn(reader, "var_y_m2");
     upper(0, 2) = reader.number("cov_x_heading");
     upper(1, 2) = reader.number("cov_y_heading");
-    upper(2, 2) = reader.number("var_heading_rad2");
-    upper(3, 3) = reader.number("var_speed");
+    upper(2, 2) = varianceIn(reader, "var_heading_rad2");
+    upper(3, 3) = varianceIn(reader, "var_speed");
     return upper.selfadjointView<Eigen::Upper>();
 }
 
@@ -145,7 +146,7 @@ TrackReport reportOf(const CsvReader& reader)
         reader.fail("vehicle_probability", "expected a number from 0 to 1");
     }
     report.box = {reader.number("x_m"), reader.number("y_m"), reader.number("heading_rad"),
-                  reader.number("length_m"), reader.number("width_m")};
+                  sizeIn(reader, "length_m"), sizeIn(reader, "width_m")};
     report.z = reader.number("z_m");
     report.height = reader.number("height_m");
     report.speed = reader.number("speed_mps");
@@ -155,8 +156,8 @@ TrackReport reportOf(const CsvReader& reader)
     report.nis = reader.optionalNumber("nis");
     report.facesSeen = facesOf(reader);
     report.covariance = covarianceOf(reader);
-    report.lengthVariance = reader.number("var_length_m2");
-    report.widthVariance = reader.number("var_width_m2");
+    report.lengthVariance = varianceIn(reader, "var_length_m2");
+    report.widthVariance = varianceIn(reader, "var_width_m2");
     return report;
 }
 }  // namespace

@@ -4,6 +4,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "checked_cells.h"
 #include "csv_line.h"
 #include "row_order.h"
 #include "vdamf/evaluation/tables.h"
@@ -26,13 +27,6 @@ std::string classOf(const CsvReader& reader)
     const std::string& name = reader.text("class");
     if (std::find(known.begin(), known.end(), name) != known.end()) return name;
     reader.fail("class", "unknown class '" + name + "'; expected one of " + joined(known, ", "));
-}
-
-double positive(const CsvReader& reader, const char* column)
-{
-    const double value = reader.number(column);
-    if (value > 0.0) return value;
-    reader.fail(column, "expected a number above 0, found '" + reader.text(column) + "'");
 }
 
 const std::vector<std::string>& sensorColumns()
@@ -72,7 +66,7 @@ TruthRow rowOf(const CsvReader& reader)
     if (row.objectId.empty()) reader.fail("object_id", "it is empty");
     row.objectClass = classOf(reader);
     row.box = {reader.number("x_m"), reader.number("y_m"), reader.number("heading_rad"),
-               positive(reader, "length_m"), positive(reader, "width_m")};
+               sizeIn(reader, "length_m"), sizeIn(reader, "width_m")};
     row.z = reader.number("z_m");
     row.height = reader.number("height_m");
     row.speed = reader.number("speed_mps");
