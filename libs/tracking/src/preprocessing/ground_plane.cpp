@@ -17,7 +17,7 @@ constexpr float kSearchTop = 0.5F;      // planes up to this over the sensor com
 constexpr float kBin = 0.1F;            // of the histogram over heights, m
 
 // The second lowest hit of a cell, where it has one, is less likely to be an outlier.
-std::vector<LowHit> lowHitsNearby(const PolarGrid& grid, const std::vector<LowHits>& lowHits)
+std::vector<LowHit> lowHitsNearby(const PolarGrid& grid, const LowHits& lowHits)
 {
     const int rings =
         std::min(grid.rings, static_cast<int>(PolarGrid::coordinate(kSearchRange)) + 1);
@@ -29,8 +29,9 @@ std::vector<LowHit> lowHitsNearby(const PolarGrid& grid, const std::vector<LowHi
             LowHit lowest;
             for (int s = sector; s < sector + kSectorsAtOnce; ++s)
             {
-                const LowHits& low = lowHits[static_cast<std::size_t>(grid.cell(s, ring))];
-                const LowHit& hit = low[1].seen() ? low[1] : low[0];
+                const auto cell = static_cast<std::size_t>(PolarGrid::cell(s, ring));
+                const LowHit second = lowHits.second.at(cell);
+                const LowHit hit = second.seen() ? second : lowHits.lowest.at(cell);
                 if (hit.z < lowest.z) lowest = hit;
             }
             if (lowest.seen()) nearby.push_back(lowest);
@@ -127,8 +128,7 @@ GroundPlane refine(const std::vector<LowHit>& points, const GroundPlane& start)
 }
 }  // namespace
 
-std::optional<GroundPlane> findGroundPlane(const PolarGrid& grid,
-                                           const std::vector<LowHits>& lowHits,
+std::optional<GroundPlane> findGroundPlane(const PolarGrid& grid, const LowHits& lowHits,
                                            const GroundOptions& options)
 {
     const std::vector<LowHit> points = lowHitsNearby(grid, lowHits);
