@@ -164,6 +164,7 @@ std::vector<Cluster> gather(const LadarFrame& frame, const AboveGround& above,
         for (auto* values : {&c.x, &c.y, &c.z, &c.height}) values->resize(numbers.hits[i]);
         places.push_back({c.x.data(), c.y.data(), c.z.data(), c.height.data()});
     }
+    const bool timed = !frame.points.time.empty();
     for (std::size_t i = 0; i < cellOfHit.size(); ++i)
     {
         if (cellOfHit[i] == kNone) continue;
@@ -175,6 +176,7 @@ std::vector<Cluster> gather(const LadarFrame& frame, const AboveGround& above,
         *place.y++ = frame.points.y[from];
         *place.z++ = frame.points.z[from];
         *place.height++ = above.height[i];
+        if (timed) clusters[to].time.push_back(frame.points.time[from]);
     }
     return clusters;
 }
