@@ -14,32 +14,29 @@ namespace vdamf
 {
 namespace
 {
-// Height and index of a hit in one integer, so that the lowest two of a cell are two minima and
+// Elevation and index of a hit in one integer, so that the lowest two of a cell are two minima and
 // not branches, which would go either way at every hit.
 using Key = std::uint64_t;
+constexpr std::uint32_t kNoElevation = std::numeric_limits<std::uint32_t>::max();
 constexpr Key kNoKey = std::numeric_limits<Key>::max();
-
-inline Key keyOf(float z, std::size_t index)
-{
-    const auto millimetres = static_cast<std::int64_t>(z * 1000.0F);
-    return static_cast<Key>(millimetres + (std::int64_t{1} << 30)) << 32 | index;
-}
 }  // namespace
 
 PolarHits locateHits(const LadarFrame& frame, const GroundOptions& options)
 {
     const PointCloud& points = frame.points;
     const std::size_t size = points.size();
-    PolarHits hits{(frame.origin - frame.sensor).cast<float>(), {}, {}};
+    PolarHits hits{(frame.origin - frame.sensor).cast<float>(), {}, {}, {}};
     hits.ring.resize(size);
     hits.cell.resize(size);
+    hits.elevation.resize(size);
     const auto minRange = static_cast<float>(options.minRange);
     const auto maxRange = static_cast<float>(options.maxRange);
     constexpr float kMaxZ = 1e4F;
     // Selections instead of branches: so the loop becomes vector instructions.
     inWideLanes([
         =, px = points.x.data(), py = points.y.data(), pz = points.z.data(),
-        ring = hits.ring.data(), cell = hits.cell.data(), dx = hits.shift.x(), dy = hits.shift.y()
+        ring = hits.ring.data(), cell = hits.cell.data(), elevation = hits.elevation.data(),
+        dx = hits.shift.x(), dy = hits.shift.y()
     ]() __attribute__((always_inline)) {
 #pragma GCC ivdep
         for (std::size_t i = 0; i < size; ++i)
@@ -55,6 +52,9 @@ PolarHits locateHits(const LadarFrame& frame, const GroundOptions& options)
             cell[i] =
                 static_cast<std::uint16_t>(PolarGrid::cell(sector, static_cast<int>(coordinate)));
             ring[i] = used ? coordinate : -1000.0F;
+            const auto millimetres = static_cast<std::int32_t>((used ? pz[i] : 0.0F) * 1000.0F);
+            constexpr std::uint32_t kLowest = 1U << 30;
+            elevation[i] = used ? static_cast<std::uint32_t>(millimetres) + kLowest : kNoElevation;
         }
     });
     return hits;
@@ -66,9 +66,8 @@ LowHits lowestHits(const PointCloud& points, const PolarHits& hits, const PolarG
     std::vector<std::array<Key, 2>> keys(cells, {kNoKey, kNoKey});
     const auto take = [&](std::size_t i)
     {
-        if (hits.ring[i] < 0.0F) return;
         auto& low = keys[hits.cell[i]];
-        const Key key = keyOf(points.z[i], i);
+        const Key key = Key{hits.elevation[i]} << 32 | i;
         // Exchanges key and low[0] where key is less, by arithmetic.
         const Key exchange = (key ^ low[0]) & (Key{0} - static_cast<Key>(key < low[0]));
         low[0] ^= exchange;
@@ -84,7 +83,7 @@ LowHits lowestHits(const PointCloud& points, const PolarHits& hits, const PolarG
     LowHits low{CellHits(cells), CellHits(cells)};
     const auto put = [&](CellHits& to, std::size_t cell, Key key)
     {
-        if (key == kNoKey) return;
+        if (key >> 32 == kNoElevation) return;
         const auto i = static_cast<std::size_t>(key & 0xFFFFFFFFU);
         to.z[cell] = points.z[i] + hits.shift.z();
         to.x[cell] = points.x[i] + hits.shift.x();

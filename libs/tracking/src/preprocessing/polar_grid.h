@@ -45,6 +45,8 @@ struct PolarHits
     Eigen::Vector3f shift = Eigen::Vector3f::Zero();  ///< from the points to sensor coordinates, m
     std::vector<float> ring;          ///< PolarGrid::coordinate; negative where not used
     std::vector<std::uint16_t> cell;  ///< 0 where not used
+    /// Millimetres above a depth that no hit reaches; the greatest where not used.
+    std::vector<std::uint32_t> elevation;
 };
 
 /// Hits out of the options' ranges or not finite are marked as not used.
