@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vdamf/tracking/matched_filter/hits.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <optional>
+#include <numeric>
 
 namespace vdamf
 {
@@ -101,25 +102,94 @@ private:
     std::vector<Slot> slots_;
 };
 
-// By their first hits; cellSize 0: a cell of its own for each.
-std::vector<Cell> cellsOf(const Cluster& cluster, double cellSize)
+// The part of the plane that the usable hits of a cluster lie in.
+struct Bounds
+{
+    float minX = 1e7F, minY = 1e7F, maxX = -1e7F, maxY = -1e7F;
+
+    explicit Bounds(const Cluster& cluster)
+    {
+        for (std::size_t i = 0; i < cluster.size(); ++i)
+        {
+            if (!isUsable(cluster.x[i], cluster.y[i])) continue;
+            minX = std::min(minX, cluster.x[i]);
+            minY = std::min(minY, cluster.y[i]);
+            maxX = std::max(maxX, cluster.x[i]);
+            maxY = std::max(maxY, cluster.y[i]);
+        }
+    }
+};
+
+// Finds the cell of a hit in a table of all cells within bounds: for clusters that fill a good part
+// of theirs the fastest way.
+class CellTable
+{
+public:
+    CellTable(const Bounds& bounds, double cellSize)
+        : perMetre_(1.0 / cellSize),
+          firstColumn_(static_cast<double>(floorOf(bounds.minX * perMetre_))),
+          firstRow_(static_cast<double>(floorOf(bounds.minY * perMetre_))),
+          columns_(static_cast<std::size_t>(bounds.maxX * perMetre_ - firstColumn_) + 1),
+          cells_(columns_ * (static_cast<std::size_t>(bounds.maxY * perMetre_ - firstRow_) + 1),
+                 kFree)
+    {
+    }
+
+    std::size_t find(float x, float y, std::size_t next)
+    {
+        const auto column =
+            static_cast<std::size_t>(static_cast<std::int64_t>(x * perMetre_ - firstColumn_));
+        const auto row =
+            static_cast<std::size_t>(static_cast<std::int64_t>(y * perMetre_ - firstRow_));
+        std::uint32_t& cell = cells_[row * columns_ + column];
+        cell = cell == kFree ? static_cast<std::uint32_t>(next) : cell;
+        return cell;
+    }
+
+private:
+    static constexpr std::uint32_t kFree = static_cast<std::uint32_t>(-1);
+
+    double perMetre_;
+    double firstColumn_, firstRow_;
+    std::size_t columns_;
+    std::vector<std::uint32_t> cells_;
+};
+
+template <class Finder>
+std::vector<Cell> cellsBy(const Cluster& cluster, Finder finder)
 {
     std::vector<Cell> cells;
-    std::optional<CellFinder> finder;
-    if (cellSize > 0.0)
-        finder.emplace(cellSize);
-    else
-        cells.reserve(cluster.size());
+    cells.reserve(std::min<std::size_t>(cluster.size(), 256));
     for (std::size_t i = 0; i < cluster.size(); ++i)
     {
         const float x = cluster.x[i];
         const float y = cluster.y[i];
         if (!isUsable(x, y)) continue;
-        const std::size_t cell = finder ? finder->find(x, y, cells.size()) : cells.size();
+        const std::size_t cell = finder.find(x, y, cells.size());
         if (cell == cells.size()) cells.push_back({x, y});
         cells[cell].add(x, y);
     }
     return cells;
+}
+
+// Every hit is a cell of its own.
+struct NoFinder
+{
+    std::size_t find(float, float, std::size_t next) const { return next; }
+};
+
+// By their first hits; cellSize 0: a cell of its own for each.
+std::vector<Cell> cellsOf(const Cluster& cluster, double cellSize)
+{
+    if (cellSize <= 0.0) return cellsBy(cluster, NoFinder());
+    const Bounds bounds(cluster);
+    if (bounds.minX > bounds.maxX) return {};
+    const double area = (static_cast<double>(bounds.maxX) - bounds.minX + cellSize) *
+                        (static_cast<double>(bounds.maxY) - bounds.minY + cellSize);
+    const double mostCells = 1000.0 + 10.0 * static_cast<double>(cluster.size());
+    if (area < mostCells * cellSize * cellSize)
+        return cellsBy(cluster, CellTable(bounds, cellSize));
+    return cellsBy(cluster, CellFinder(cellSize));
 }
 }  // namespace
 
@@ -139,20 +209,24 @@ Hits projectHits(const Cluster& cluster, double cellSize)
     Hits hits;
     const std::vector<Cell> cells = cellsOf(cluster, cellSize);
     hits.heights = heightsOf(cluster);
+    if (!cluster.time.empty())
+        hits.time = std::accumulate(cluster.time.begin(), cluster.time.end(), 0.0) /
+                    static_cast<double>(cluster.time.size());
     for (auto* column :
          {&hits.x, &hits.y, &hits.weight, &hits.varianceX, &hits.covariance, &hits.varianceY})
-        column->reserve(cells.size());
-    for (const Cell& cell : cells)
+        column->resize(cells.size());
+    for (std::size_t i = 0; i < cells.size(); ++i)
     {
+        const Cell& cell = cells[i];
         const double x = cell.sx / cell.n;
         const double y = cell.sy / cell.n;
-        hits.x.push_back(cell.x + x);
-        hits.y.push_back(cell.y + y);
-        hits.weight.push_back(cell.n);
+        hits.x[i] = cell.x + x;
+        hits.y[i] = cell.y + y;
+        hits.weight[i] = cell.n;
         hits.totalWeight += cell.n;
-        hits.varianceX.push_back(cell.sxx / cell.n - x * x);
-        hits.covariance.push_back(cell.sxy / cell.n - x * y);
-        hits.varianceY.push_back(cell.syy / cell.n - y * y);
+        hits.varianceX[i] = cell.sxx / cell.n - x * x;
+        hits.covariance[i] = cell.sxy / cell.n - x * y;
+        hits.varianceY[i] = cell.syy / cell.n - y * y;
     }
     return hits;
 }
@@ -165,6 +239,7 @@ Hits joined(const Hits& a, const Hits& b)
     all.weight.insert(all.weight.end(), b.weight.begin(), b.weight.end());
     all.totalWeight += b.totalWeight;
     all.heights |= b.heights;
+    if (all.totalWeight > 0.0) all.time += (b.time - a.time) * b.totalWeight / all.totalWeight;
     const auto append = [&](std::vector<double>& to, const std::vector<double>& from)
     {
         if (to.empty() && from.empty()) return;

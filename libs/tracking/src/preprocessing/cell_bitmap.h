@@ -63,21 +63,21 @@ public:
 
     int rows() const { return rows_; }
 
-private:
-    static std::size_t bitOf(int column) { return static_cast<std::size_t>(column + kMargin); }
-    std::size_t wordOf(std::size_t bit, int row) const
-    {
-        return static_cast<std::size_t>(row) * wordsPerRow_ + bit / 64;
-    }
-
-    // Inline arithmetic: the baseline x86-64 has no instruction for it, and the compiler's own
-    // function is a call for every hit.
+    /// Number of bits that are set. Inline arithmetic: the baseline x86-64 has no instruction for
+    /// it, and the compiler's own function is a call for every hit.
     static std::uint32_t population(std::uint64_t v)
     {
         v -= (v >> 1) & 0x5555555555555555U;
         v = (v & 0x3333333333333333U) + ((v >> 2) & 0x3333333333333333U);
         v = (v + (v >> 4)) & 0x0F0F0F0F0F0F0F0FU;
         return static_cast<std::uint32_t>((v * 0x0101010101010101U) >> 56);
+    }
+
+private:
+    static std::size_t bitOf(int column) { return static_cast<std::size_t>(column + kMargin); }
+    std::size_t wordOf(std::size_t bit, int row) const
+    {
+        return static_cast<std::size_t>(row) * wordsPerRow_ + bit / 64;
     }
 
     int rows_;

@@ -3,155 +3,94 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <cstring>
 
-#include "preprocessing/cell_bitmap.h"
 #include "preprocessing/disjoint_sets.h"
+#include "preprocessing/plane_cells.h"
+#include "preprocessing/wide_lanes.h"
 
 namespace vdamf
 {
 namespace
 {
-constexpr float kCell = 0.2F;      // m
-constexpr float kReach = 1000.0F;  // hits farther than this from the sensor are no use, m
-constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint32_t kNone = PlaneCells::kNone;
 
-// The hits in the plane, from the sensor: with one pass for each use less memory is touched than
-// with a copy.
-class PlaneView
+float gapAt(float x, float y, const ClusterOptions& options)
 {
-public:
-    PlaneView(const LadarFrame& frame, const AboveGround& above)
-        : points_(frame.points),
-          index_(above.index),
-          shift_((frame.origin - frame.sensor).head<2>().cast<float>())
-    {
-    }
-
-    std::size_t size() const { return index_.size(); }
-    float x(std::size_t i) const { return points_.x[index_[i]] + shift_.x(); }
-    float y(std::size_t i) const { return points_.y[index_[i]] + shift_.y(); }
-    bool used(std::size_t i) const { return (std::abs(x(i)) < kReach) & (std::abs(y(i)) < kReach); }
-
-private:
-    const PointCloud& points_;
-    const std::vector<std::uint32_t>& index_;
-    Eigen::Vector2f shift_;
-};
-
-struct Bounds
-{
-    float minX = kReach, minY = kReach, maxX = -kReach, maxY = -kReach;
-
-    void add(float x, float y)
-    {
-        minX = std::min(minX, x);
-        minY = std::min(minY, y);
-        maxX = std::max(maxX, x);
-        maxY = std::max(maxY, y);
-    }
-};
-
-Bounds boundsOf(const PlaneView& hits)
-{
-    Bounds bounds;
-    for (std::size_t i = 0; i < hits.size(); ++i)
-        if (hits.used(i)) bounds.add(hits.x(i), hits.y(i));
-    return bounds;
-}
-
-// An occupied cell; sums until all hits are in, then means.
-struct Cell
-{
-    float x = 0.0F, y = 0.0F;
-    std::uint32_t hits = 0;
-    std::uint16_t column = 0, row = 0;
-};
-
-struct CellGrid
-{
-    CellBitmap bitmap;
-    std::vector<Cell> cells;               // by number
-    std::vector<std::uint32_t> cellOfHit;  // kNone: hit not used
-};
-
-int cellsIn(float distance)
-{
-    return static_cast<int>(distance * (1.0F / kCell));
-}
-
-// Row and column of each hit, packed; kNone where it is not used.
-std::vector<std::uint32_t> occupyCells(const PlaneView& hits, const Bounds& bounds,
-                                       CellBitmap& bitmap)
-{
-    std::vector<std::uint32_t> packed(hits.size(), kNone);
-    for (std::size_t i = 0; i < hits.size(); ++i)
-    {
-        if (!hits.used(i)) continue;
-        const int column = cellsIn(hits.x(i) - bounds.minX);
-        const int row = cellsIn(hits.y(i) - bounds.minY);
-        bitmap.occupy(column, row);
-        packed[i] = static_cast<std::uint32_t>(row << 16 | column);
-    }
-    return packed;
-}
-
-CellGrid sortIntoCells(const PlaneView& hits)
-{
-    const Bounds b = boundsOf(hits);
-    if (b.minX > b.maxX) return {CellBitmap(0, 0), {}, {}};
-    CellGrid grid{CellBitmap(cellsIn(b.maxX - b.minX) + 1, cellsIn(b.maxY - b.minY) + 1), {}, {}};
-    grid.cellOfHit = occupyCells(hits, b, grid.bitmap);
-    grid.cells.resize(grid.bitmap.enumerate());
-    for (std::size_t i = 0; i < hits.size(); ++i)
-    {
-        const std::uint32_t packed = grid.cellOfHit[i];
-        if (packed == kNone) continue;
-        const auto column = static_cast<std::uint16_t>(packed & 0xFFFFU);
-        const auto row = static_cast<std::uint16_t>(packed >> 16);
-        grid.cellOfHit[i] = grid.bitmap.number(column, row);
-        Cell& cell = grid.cells[grid.cellOfHit[i]];
-        cell.x += hits.x(i);
-        cell.y += hits.y(i);
-        ++cell.hits;
-        cell.column = column;
-        cell.row = row;
-    }
-    for (Cell& cell : grid.cells)
-    {
-        cell.x /= static_cast<float>(cell.hits);
-        cell.y /= static_cast<float>(cell.hits);
-    }
-    return grid;
-}
-
-float gapAt(const Cell& cell, const ClusterOptions& options)
-{
-    const double range = std::sqrt(static_cast<double>(cell.x * cell.x + cell.y * cell.y));
+    const double range = std::sqrt(static_cast<double>(x * x + y * y));
     return static_cast<float>(std::min(options.gap + options.gapPerRange * range, options.maxGap));
 }
 
-// Unites the cell with those after it, in its row and the rows above, whose means are in reach.
-void uniteWithNeighbours(const CellGrid& grid, std::uint32_t number, float gap, DisjointSets& sets)
+// Eight numbers, in one or several registers (vector extension of GCC and clang).
+typedef float Floats __attribute__((vector_size(32)));
+typedef std::int32_t Integers __attribute__((vector_size(32)));
+
+template <class Lanes, class Number>
+[[gnu::always_inline]] inline void load(Lanes& lanes, const Number* from)
 {
-    const Cell& cell = grid.cells[number];
-    const int reach = static_cast<int>(gap * (1.0F / kCell)) + 1;
-    std::uint32_t root = sets.root(number);
-    const int lastRow = std::min(cell.row + reach, grid.bitmap.rows() - 1);
-    for (int row = cell.row; row <= lastRow; ++row)
+    std::memcpy(&lanes, from, sizeof lanes);
+}
+
+// Of eight cells in a row: whether one of the first `count` is within reach of a place, and not
+// known to be in the set with that root.
+[[gnu::always_inline]] inline bool hasNewNeighbour(const float* x, const float* y,
+                                                   const std::uint32_t* parent, int count,
+                                                   float atX, float atY, float squaredGap,
+                                                   std::uint32_t root)
+{
+    static_assert(PlaneCells::kPadding >= 8 && DisjointSets::kPadding >= 8);
+    Floats dx;
+    Floats dy;
+    Integers parents;
+    load(dx, x);
+    load(dy, y);
+    load(parents, parent);
+    dx -= atX;
+    dy -= atY;
+    constexpr Integers kNumbers = {0, 1, 2, 3, 4, 5, 6, 7};
+    const Integers isNew = (dx * dx + dy * dy <= squaredGap) &
+                           (parents != static_cast<std::int32_t>(root)) & (kNumbers < count);
+    std::uint64_t any[4];
+    std::memcpy(any, &isNew, sizeof any);
+    return (any[0] | any[1] | any[2] | any[3]) != 0;
+}
+
+// Unites each cell with those after it, in its row and the rows above, whose means are in reach.
+[[gnu::always_inline]] inline void uniteNeighbours(const PlaneCells& cells,
+                                                   const ClusterOptions& options,
+                                                   DisjointSets& sets)
+{
+    const float* const x = cells.x.data();
+    const float* const y = cells.y.data();
+    for (std::uint32_t cell = 0; cell < cells.size(); ++cell)
     {
-        const int first = row == cell.row ? cell.column + 1 : cell.column - reach;
-        const int width = cell.column + reach - first + 1;
-        std::uint64_t bits = grid.bitmap.window(first, row, width);
-        if (bits == 0) continue;
-        // The occupied cells of a window have consecutive numbers.
-        const int skipped = __builtin_ctzll(bits);
-        for (std::uint32_t n = grid.bitmap.number(first + skipped, row); bits != 0;
-             bits &= bits - 1, ++n)
+        const float gap = gapAt(x[cell], y[cell], options);
+        const float squaredGap = gap * gap;
+        const int column = cells.column[cell];
+        const int reach = static_cast<int>(gap * (1.0F / PlaneCells::kSize)) + 1;
+        const int lastRow = std::min(cells.row[cell] + reach, cells.bitmap.rows() - 1);
+        std::uint32_t root = sets.root(cell);
+        for (int row = cells.row[cell]; row <= lastRow; ++row)
         {
-            const float dx = grid.cells[n].x - cell.x;
-            const float dy = grid.cells[n].y - cell.y;
-            if (dx * dx + dy * dy <= gap * gap) root = sets.unite(root, n);
+            const int first = row == cells.row[cell] ? column + 1 : column - reach;
+            const std::uint64_t bits = cells.bitmap.window(first, row, column + reach - first + 1);
+            if (bits == 0) continue;
+            // The occupied cells of a window have consecutive numbers.
+            std::uint32_t n = cells.bitmap.number(first + __builtin_ctzll(bits), row);
+            for (int left = cells.bitmap.population(bits); left > 0; left -= 8, n += 8)
+            {
+                // Most cells in reach are in the set already.
+                if (!hasNewNeighbour(x + n, y + n, sets.parents() + n, left, x[cell], y[cell],
+                                     squaredGap, root))
+                    continue;
+                for (std::uint32_t k = n; k < n + static_cast<std::uint32_t>(std::min(left, 8));
+                     ++k)
+                {
+                    const float dx = x[k] - x[cell];
+                    const float dy = y[k] - y[cell];
+                    if (dx * dx + dy * dy <= squaredGap) root = sets.unite(root, k);
+                }
+            }
         }
     }
 }
@@ -159,14 +98,21 @@ void uniteWithNeighbours(const CellGrid& grid, std::uint32_t number, float gap, 
 // Cells that are connected.
 struct Group
 {
+    static constexpr float kFar = 1e9F;
     std::uint32_t hits = 0;
     std::uint32_t cluster = kNone;
-    Bounds bounds;
+    float minX = kFar, minY = kFar, maxX = -kFar, maxY = -kFar;
 
-    float extent() const
+    void add(float x, float y, std::uint32_t count)
     {
-        return std::hypot(bounds.maxX - bounds.minX, bounds.maxY - bounds.minY);
+        hits += count;
+        minX = std::min(minX, x);
+        minY = std::min(minY, y);
+        maxX = std::max(maxX, x);
+        maxY = std::max(maxY, y);
     }
+
+    float extent() const { return std::hypot(maxX - minX, maxY - minY); }
 };
 
 // By cell; all cells of a group name the same cluster, or kNone.
@@ -176,16 +122,12 @@ struct ClusterOfCell
     std::vector<std::uint32_t> hits;  // by cluster
 };
 
-ClusterOfCell numberClusters(const CellGrid& grid, DisjointSets& sets,
+ClusterOfCell numberClusters(const PlaneCells& cells, DisjointSets& sets,
                              const ClusterOptions& options)
 {
-    std::vector<Group> groups(grid.cells.size());
-    for (std::uint32_t n = 0; n < grid.cells.size(); ++n)
-    {
-        Group& group = groups[sets.root(n)];
-        group.hits += grid.cells[n].hits;
-        group.bounds.add(grid.cells[n].x, grid.cells[n].y);
-    }
+    std::vector<Group> groups(cells.size());
+    for (std::uint32_t n = 0; n < cells.size(); ++n)
+        groups[sets.root(n)].add(cells.x[n], cells.y[n], cells.hits[n]);
     ClusterOfCell numbers;
     numbers.cluster.reserve(groups.size());
     for (std::uint32_t n = 0; n < groups.size(); ++n)
@@ -203,24 +145,38 @@ ClusterOfCell numberClusters(const CellGrid& grid, DisjointSets& sets,
     return numbers;
 }
 
+// Where the next hit of a cluster goes.
+struct Place
+{
+    float *x, *y, *z, *height;
+};
+
 std::vector<Cluster> gather(const LadarFrame& frame, const AboveGround& above,
                             const std::vector<std::uint32_t>& cellOfHit,
                             const ClusterOfCell& numbers)
 {
     std::vector<Cluster> clusters(numbers.hits.size());
+    std::vector<Place> places;
+    places.reserve(clusters.size());
     for (std::size_t i = 0; i < clusters.size(); ++i)
-        for (auto* values : {&clusters[i].x, &clusters[i].y, &clusters[i].z, &clusters[i].height})
-            values->reserve(numbers.hits[i]);
+    {
+        Cluster& c = clusters[i];
+        for (auto* values : {&c.x, &c.y, &c.z, &c.height}) values->resize(numbers.hits[i]);
+        places.push_back({c.x.data(), c.y.data(), c.z.data(), c.height.data()});
+    }
+    const bool timed = !frame.points.time.empty();
     for (std::size_t i = 0; i < cellOfHit.size(); ++i)
     {
         if (cellOfHit[i] == kNone) continue;
         const std::uint32_t to = numbers.cluster[cellOfHit[i]];
         if (to == kNone) continue;
         const std::size_t from = above.index[i];
-        clusters[to].x.push_back(frame.points.x[from]);
-        clusters[to].y.push_back(frame.points.y[from]);
-        clusters[to].z.push_back(frame.points.z[from]);
-        clusters[to].height.push_back(above.height[i]);
+        Place& place = places[to];
+        *place.x++ = frame.points.x[from];
+        *place.y++ = frame.points.y[from];
+        *place.z++ = frame.points.z[from];
+        *place.height++ = above.height[i];
+        if (timed) clusters[to].time.push_back(frame.points.time[from]);
     }
     return clusters;
 }
@@ -229,11 +185,10 @@ std::vector<Cluster> gather(const LadarFrame& frame, const AboveGround& above,
 std::vector<Cluster> clusterPoints(const LadarFrame& frame, const AboveGround& aboveGround,
                                    const ClusterOptions& options)
 {
-    const CellGrid grid = sortIntoCells(PlaneView(frame, aboveGround));
-    DisjointSets sets(grid.cells.size());
-    for (std::uint32_t n = 0; n < grid.cells.size(); ++n)
-        uniteWithNeighbours(grid, n, gapAt(grid.cells[n], options), sets);
-    return gather(frame, aboveGround, grid.cellOfHit, numberClusters(grid, sets, options));
+    const PlaneCells cells = sortIntoCells(frame, aboveGround);
+    DisjointSets sets(cells.size());
+    inWideLanes([&]() __attribute__((always_inline)) { uniteNeighbours(cells, options, sets); });
+    return gather(frame, aboveGround, cells.ofHit, numberClusters(cells, sets, options));
 }
 
 }  // namespace vdamf

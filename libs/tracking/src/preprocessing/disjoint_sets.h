@@ -12,7 +12,10 @@ namespace vdamf
 class DisjointSets
 {
 public:
-    explicit DisjointSets(std::size_t elements) : parent_(elements)
+    /// Entries of parents() behind the last element's, for loops over several at once.
+    static constexpr std::size_t kPadding = 8;
+
+    explicit DisjointSets(std::size_t elements) : parent_(elements + kPadding)
     {
         std::iota(parent_.begin(), parent_.end(), std::uint32_t{0});
     }
@@ -35,6 +38,9 @@ public:
         if (a < b) return parent_[b] = a;
         return parent_[a] = b;
     }
+
+    /// For each element one of its set that is not greater, mostly the root.
+    const std::uint32_t* parents() const { return parent_.data(); }
 
 private:
     std::vector<std::uint32_t> parent_;

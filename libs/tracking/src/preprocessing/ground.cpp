@@ -6,6 +6,7 @@
 #include <cstddef>
 
 #include "preprocessing/ground_surface.h"
+#include "preprocessing/wide_lanes.h"
 
 namespace vdamf
 {
@@ -19,44 +20,62 @@ GroundSurface levelSurface(const PolarGrid& grid, const GroundOptions& options)
     return {{height, 0.0F, 0.0F}, std::vector<float>(entries, 0.0F)};
 }
 
-// Height of a hit over the surface; for a hit that is not used, whatever.
-float heightOver(const GroundSurface& surface, const PolarHits& hits, const PointCloud& points,
-                 std::size_t i, int rings)
+// How high the hits of a part of the frame lie over the surface, and which of them are kept.
+struct Block
 {
-    const float coordinate = std::max(hits.ring[i], 0.0F);
-    const auto ring = static_cast<int>(coordinate);
-    const float part = coordinate - static_cast<float>(ring);
-    const float* ground =
-        &surface.height[static_cast<std::size_t>(hits.sector[i] * (rings + 1) + ring)];
-    const float plane =
-        surface.plane.at(points.x[i] + hits.shift.x(), points.y[i] + hits.shift.y());
-    return points.z[i] + hits.shift.z() - plane - ground[0] - part * (ground[1] - ground[0]);
-}
+    static constexpr std::size_t kSize = 512;
+    std::array<float, kSize> height;
+    std::array<std::uint32_t, kSize> kept;
+
+    void measure(const GroundSurface& surface, const PolarHits& hits, const PointCloud& points,
+                 std::size_t begin, std::size_t size, float minHeight, float maxHeight)
+    {
+        inWideLanes([
+            =, plane = surface.plane, ground = surface.height.data(),
+            ring = hits.ring.data() + begin, cell = hits.cell.data() + begin,
+            px = points.x.data() + begin, py = points.y.data() + begin,
+            pz = points.z.data() + begin, dx = hits.shift.x(), dy = hits.shift.y(),
+            dz = hits.shift.z(), heights = height.data(), keep = kept.data()
+        ]() __attribute__((always_inline)) {
+#pragma GCC ivdep
+            for (std::size_t i = 0; i < size; ++i)
+            {
+                const float coordinate = ring[i] > 0.0F ? ring[i] : 0.0F;
+                const float part = coordinate - static_cast<float>(static_cast<int>(coordinate));
+                const int edge = cell[i];
+                const float inner = ground[edge];
+                const float outer = ground[edge + PolarGrid::kSectors];
+                const float over =
+                    pz[i] + dz - plane.at(px[i] + dx, py[i] + dy) - inner - part * (outer - inner);
+                heights[i] = over;
+                keep[i] = (ring[i] >= 0.0F) & (over >= minHeight) & (over <= maxHeight) ? 1U : 0U;
+            }
+        });
+    }
+};
 
 AboveGround hitsBetween(const GroundSurface& surface, const PolarHits& hits,
-                        const PointCloud& points, float minHeight, float maxHeight, int rings)
+                        const PointCloud& points, float minHeight, float maxHeight)
 {
     AboveGround above;
     above.index.reserve(points.size());
     above.height.reserve(points.size());
-    constexpr std::size_t kBlock = 512;
-    std::array<std::uint32_t, kBlock> index;
-    std::array<float, kBlock> heights;
-    for (std::size_t begin = 0; begin < points.size(); begin += kBlock)
+    Block block;
+    std::array<std::uint32_t, Block::kSize> index;
+    for (std::size_t begin = 0; begin < points.size(); begin += Block::kSize)
     {
-        const std::size_t end = std::min(begin + kBlock, points.size());
-        std::ptrdiff_t kept = 0;
-        for (std::size_t i = begin; i < end; ++i)
+        const std::size_t size = std::min(Block::kSize, points.size() - begin);
+        block.measure(surface, hits, points, begin, size, minHeight, maxHeight);
+        std::size_t kept = 0;
+        for (std::size_t i = 0; i < size; ++i)
         {
-            const float height = heightOver(surface, hits, points, i, rings);
             // Written always, counted when kept: hits change sides too often for a branch.
-            index[static_cast<std::size_t>(kept)] = static_cast<std::uint32_t>(i);
-            heights[static_cast<std::size_t>(kept)] = height;
-            kept += static_cast<std::ptrdiff_t>((hits.ring[i] >= 0.0F) & (height >= minHeight) &
-                                                (height <= maxHeight));
+            index[kept] = static_cast<std::uint32_t>(begin + i);
+            block.height[kept] = block.height[i];
+            kept += block.kept[i];
         }
-        above.index.insert(above.index.end(), index.begin(), index.begin() + kept);
-        above.height.insert(above.height.end(), heights.begin(), heights.begin() + kept);
+        above.index.insert(above.index.end(), index.data(), index.data() + kept);
+        above.height.insert(above.height.end(), block.height.data(), block.height.data() + kept);
     }
     return above;
 }
@@ -66,17 +85,15 @@ AboveGround removeGround(const LadarFrame& frame, const GroundOptions& options)
 {
     const PolarGrid grid(options.maxRange);
     const PolarHits hits = locateHits(frame, options);
-    const auto allInRange = [&] {
-        return hitsBetween(levelSurface(grid, options), hits, frame.points, -1e9F, 1e9F,
-                           grid.rings);
-    };
+    const auto allInRange = [&]
+    { return hitsBetween(levelSurface(grid, options), hits, frame.points, -1e9F, 1e9F); };
     if (frame.planar) return allInRange();
-    const std::vector<LowHits> low = lowestHits(frame.points, hits, grid);
+    const LowHits low = lowestHits(frame.points, hits, grid);
     const auto plane = findGroundPlane(grid, low, options);
     if (!plane) return allInRange();
     return hitsBetween(followGround(grid, low, *plane), hits, frame.points,
-                       static_cast<float>(options.minHeight), static_cast<float>(options.maxHeight),
-                       grid.rings);
+                       static_cast<float>(options.minHeight),
+                       static_cast<float>(options.maxHeight));
 }
 
 }  // namespace vdamf

@@ -5,6 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "preprocessing/wide_lanes.h"
 
 namespace vdamf
 {
@@ -17,11 +21,11 @@ constexpr float kSearchTop = 0.5F;      // planes up to this over the sensor com
 constexpr float kBin = 0.1F;            // of the histogram over heights, m
 
 // The second lowest hit of a cell, where it has one, is less likely to be an outlier.
-std::vector<LowHit> lowHitsNearby(const PolarGrid& grid, const std::vector<LowHits>& lowHits)
+CellHits lowHitsNearby(const PolarGrid& grid, const LowHits& lowHits)
 {
     const int rings =
         std::min(grid.rings, static_cast<int>(PolarGrid::coordinate(kSearchRange)) + 1);
-    std::vector<LowHit> nearby;
+    CellHits nearby(0);
     for (int sector = 0; sector < PolarGrid::kSectors; sector += kSectorsAtOnce)
     {
         for (int ring = 0; ring < rings; ++ring)
@@ -29,11 +33,15 @@ std::vector<LowHit> lowHitsNearby(const PolarGrid& grid, const std::vector<LowHi
             LowHit lowest;
             for (int s = sector; s < sector + kSectorsAtOnce; ++s)
             {
-                const LowHits& low = lowHits[static_cast<std::size_t>(grid.cell(s, ring))];
-                const LowHit& hit = low[1].seen() ? low[1] : low[0];
+                const auto cell = static_cast<std::size_t>(PolarGrid::cell(s, ring));
+                const LowHit second = lowHits.second.at(cell);
+                const LowHit hit = second.seen() ? second : lowHits.lowest.at(cell);
                 if (hit.z < lowest.z) lowest = hit;
             }
-            if (lowest.seen()) nearby.push_back(lowest);
+            if (!lowest.seen()) continue;
+            nearby.z.push_back(lowest.z);
+            nearby.x.push_back(lowest.x);
+            nearby.y.push_back(lowest.y);
         }
     }
     return nearby;
@@ -45,22 +53,44 @@ struct Candidate
     float score = 0.0F;
 };
 
+constexpr int kMaxBins = 256;
+
+// How many of the points lie in each bin over a plane through `bottom` with the slope.
+std::array<int, kMaxBins> histogramOf(const CellHits& points, float slopeX, float slopeY,
+                                      float bottom, float lastBin)
+{
+    const std::size_t size = points.z.size();
+    std::vector<std::uint8_t> bins(size);
+    inWideLanes([
+        =, px = points.x.data(), py = points.y.data(), pz = points.z.data(), bin = bins.data()
+    ]() __attribute__((always_inline)) {
+#pragma GCC ivdep
+        for (std::size_t i = 0; i < size; ++i)
+        {
+            const float z = pz[i] - slopeX * px[i] - slopeY * py[i];
+            const float at = (z - bottom) * (1.0F / kBin);
+            const float above = at > 0.0F ? at : 0.0F;
+            bin[i] = static_cast<std::uint8_t>(static_cast<int>(above < lastBin ? above : lastBin));
+        }
+    });
+    // Four in turn: most points share a bin, and each would wait for the one before it.
+    std::array<std::array<int, kMaxBins>, 4> parts{};
+    for (std::size_t i = 0; i < size; ++i) ++parts[i % 4][bins[i]];
+    std::array<int, kMaxBins> all{};
+    for (std::size_t k = 0; k < kMaxBins; ++k)
+        all[k] = parts[0][k] + parts[1][k] + parts[2][k] + parts[3][k];
+    return all;
+}
+
 // The best height for the slope: many points in three bins, few below them (a LADAR does not see
 // through the ground, but a mirror or the edge of a slope shows some).
-Candidate bestHeight(const std::vector<LowHit>& points, float slopeX, float slopeY,
+Candidate bestHeight(const CellHits& points, float slopeX, float slopeY,
                      const GroundOptions& options)
 {
-    constexpr int kMaxBins = 256;
-    std::array<int, kMaxBins> histogram{};
     const auto bottom = static_cast<float>(-options.maxSensorHeight) - 2.0F * kBin;
     const int bins = std::clamp(static_cast<int>((kSearchTop - bottom) / kBin) + 2, 4, kMaxBins);
-    const auto lastBin = static_cast<float>(bins - 1);
-    for (const LowHit& p : points)
-    {
-        const float z = p.z - slopeX * p.x - slopeY * p.y;
-        const float bin = std::clamp((z - bottom) / kBin, 0.0F, lastBin);
-        ++histogram[static_cast<std::size_t>(bin)];
-    }
+    const std::array<int, kMaxBins> histogram =
+        histogramOf(points, slopeX, slopeY, bottom, static_cast<float>(bins - 1));
     Candidate best;
     int below = histogram[0];
     for (int bin = 1; bin + 3 < bins; ++bin)
@@ -79,7 +109,7 @@ Candidate bestHeight(const std::vector<LowHit>& points, float slopeX, float slop
 }
 
 // A slope has to be better than a flatter one by 2 %, so that few hits do not tilt the plane.
-Candidate bestPlane(const std::vector<LowHit>& points, const GroundOptions& options)
+Candidate bestPlane(const CellHits& points, const GroundOptions& options)
 {
     constexpr int kSteps = 3;
     constexpr float kStep = 0.05F;
@@ -102,7 +132,7 @@ Candidate bestPlane(const std::vector<LowHit>& points, const GroundOptions& opti
 
 // Least squares, reweighted with a biweight whose width shrinks; a weak tie to the slope of the
 // start keeps frames with one circle on the ground or a narrow view from turning over.
-GroundPlane refine(const std::vector<LowHit>& points, const GroundPlane& start)
+GroundPlane refine(const CellHits& points, const GroundPlane& start)
 {
     GroundPlane plane = start;
     for (const float width : {0.6F, 0.45F, 0.3F, 0.25F, 0.25F})
@@ -110,8 +140,9 @@ GroundPlane refine(const std::vector<LowHit>& points, const GroundPlane& start)
         Eigen::Matrix3f a = Eigen::Vector3f(1e-3F, 50.0F, 50.0F).asDiagonal();
         Eigen::Vector3f b(0.0F, 50.0F * (start.slopeX - plane.slopeX),
                           50.0F * (start.slopeY - plane.slopeY));
-        for (const LowHit& p : points)
+        for (std::size_t i = 0; i < points.z.size(); ++i)
         {
+            const LowHit p = points.at(i);
             const float e = p.z - plane.at(p.x, p.y);
             if (std::abs(e) >= width) continue;
             const float u = e / width;
@@ -127,11 +158,10 @@ GroundPlane refine(const std::vector<LowHit>& points, const GroundPlane& start)
 }
 }  // namespace
 
-std::optional<GroundPlane> findGroundPlane(const PolarGrid& grid,
-                                           const std::vector<LowHits>& lowHits,
+std::optional<GroundPlane> findGroundPlane(const PolarGrid& grid, const LowHits& lowHits,
                                            const GroundOptions& options)
 {
-    const std::vector<LowHit> points = lowHitsNearby(grid, lowHits);
+    const CellHits points = lowHitsNearby(grid, lowHits);
     const Candidate best = bestPlane(points, options);
     if (best.score < kLeastSupport) return std::nullopt;
     // What a line scanner sees lies in a plane too: its own.

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <optional>
-#include <vector>
 
 #include "preprocessing/polar_grid.h"
 
@@ -21,8 +20,7 @@ struct GroundPlane
 
 /// The plane with the most low hits of cells within 25 m in it and few below it. Nothing where
 /// too few hits agree: the frame shows no ground.
-std::optional<GroundPlane> findGroundPlane(const PolarGrid& grid,
-                                           const std::vector<LowHits>& lowHits,
+std::optional<GroundPlane> findGroundPlane(const PolarGrid& grid, const LowHits& lowHits,
                                            const GroundOptions& options);
 
 }  // namespace vdamf

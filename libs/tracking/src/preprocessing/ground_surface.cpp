@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "preprocessing/wide_lanes.h"
 #include "vdamf/tracking/types/geometry.h"
 
 namespace vdamf
@@ -30,6 +31,7 @@ constexpr float kAlone = 0.05F;        // a lowest hit that is below the next by
 constexpr float kStartVariance = 0.1F * 0.1F;  // of the plane, m^2
 constexpr float kStartSlope = 0.03F * 0.03F;
 constexpr float kUnseen = std::numeric_limits<float>::quiet_NaN();
+constexpr std::size_t kSectors = PolarGrid::kSectors;
 
 // Height and slope over the range of one sector, with their covariance.
 struct Profile
@@ -42,8 +44,36 @@ struct Profile
     float blind = 0.0F;  // way since the last ground hit, m
 };
 
+// Those of all sectors, as arrays: sectors side by side fill the lanes of vector registers.
+struct Profiles
+{
+    using Row = std::array<float, kSectors>;
+    Row height, slope, hh, hs, ss, blind;
+
+    explicit Profiles(const Profile& all)
+    {
+        for (std::size_t s = 0; s < kSectors; ++s) set(s, all);
+    }
+
+    [[gnu::always_inline]] Profile at(std::size_t s) const
+    {
+        return {height.data()[s], slope.data()[s], hh.data()[s],
+                hs.data()[s],     ss.data()[s],    blind.data()[s]};
+    }
+
+    [[gnu::always_inline]] void set(std::size_t s, const Profile& p)
+    {
+        height.data()[s] = p.height;
+        slope.data()[s] = p.slope;
+        hh.data()[s] = p.hh;
+        hs.data()[s] = p.hs;
+        ss.data()[s] = p.ss;
+        blind.data()[s] = p.blind;
+    }
+};
+
 // To a place `d` metres on; inwards d is negative.
-inline void advance(Profile& p, float d)
+[[gnu::always_inline]] inline Profile advanced(Profile p, float d)
 {
     const float way = std::abs(d);
     p.height += p.slope * d;
@@ -51,9 +81,10 @@ inline void advance(Profile& p, float d)
     p.hs += d * p.ss;
     p.ss += way * kSlopeNoise;
     p.blind += way;
+    return p;
 }
 
-inline void observe(Profile& p, float height)
+[[gnu::always_inline]] inline Profile observed(Profile p, float height)
 {
     const float error = height - p.height;
     const float gain = 1.0F / (p.hh + kHitVariance + kDoubt * error * error);
@@ -65,161 +96,189 @@ inline void observe(Profile& p, float height)
     p.hs -= kh * p.hs;
     p.hh -= kh * p.hh;
     p.blind = 0.0F;
+    return p;
 }
 
-// A low hit that was taken for ground: its range and height over the plane.
+// A low hit: its range and height over the plane. No comparison with one that is not seen holds.
 struct GroundHit
 {
     float range = 0.0F;
     float height = kUnseen;
-
-    bool seen() const { return height == height; }
 };
 
-GroundHit groundHitAt(const LowHit& hit, const GroundPlane& plane)
+[[gnu::always_inline]] inline GroundHit groundHit(float x, float y, float z,
+                                                  const GroundPlane& plane)
 {
-    if (!hit.seen()) return {};
-    return {std::sqrt(hit.x * hit.x + hit.y * hit.y), hit.z - plane.at(hit.x, hit.y)};
+    const float height = z - plane.at(x, y);
+    return {std::sqrt(x * x + y * y), z < LowHit::kNoHit ? height : kUnseen};
 }
 
-bool insideGate(const Profile& p, const GroundHit& hit)
+[[gnu::always_inline]] inline bool insideGate(const Profile& p, const GroundHit& hit)
 {
     const float gate = kGate * std::sqrt(p.hh + kHitVariance);
     const float error = hit.height - p.height;
-    return error > -std::min(gate, kMaxGateDown) &&
-           error < std::min(gate, kMaxGateUp + kGateGrowth * p.blind);
+    const float most = kMaxGateUp + kGateGrowth * p.blind;
+    return (error > -(gate < kMaxGateDown ? gate : kMaxGateDown)) &
+           (error < (gate < most ? gate : most));
 }
 
-// The cell's low hits in the order in which they are tried.
-std::array<GroundHit, 2> candidates(const LowHits& low, const GroundPlane& plane)
+// Edges of a ring, m.
+struct Ring
 {
-    GroundHit first = groundHitAt(low[0], plane);
-    GroundHit second = groundHitAt(low[1], plane);
-    if (second.height - first.height > kAlone) std::swap(first, second);
-    return {first, second};
-}
+    float inner;
+    float outer;
+};
 
-// Moves the profile from a cell's inner edge to its outer edge, over the first of the cell's low
-// hits that fits. Returns that hit.
-GroundHit crossCell(Profile& p, const std::array<GroundHit, 2>& low, float inner, float outer)
+// Heights over the plane and their variances at the edges (as in GroundSurface), and the low hit
+// that was taken for ground in each cell.
+struct OutwardPass
 {
-    for (const GroundHit& hit : low)
+    std::vector<float> height;     // m
+    std::vector<float> variance;   // m^2
+    std::vector<float> hitRange;   // m
+    std::vector<float> hitHeight;  // m; kUnseen where none was
+
+    explicit OutwardPass(const PolarGrid& grid)
+        : height(static_cast<std::size_t>(grid.cells()) + kSectors),
+          variance(height.size()),
+          hitRange(static_cast<std::size_t>(grid.cells())),
+          hitHeight(hitRange.size())
     {
-        if (!hit.seen()) break;
-        Profile there = p;
-        advance(there, hit.range - inner);
-        if (!insideGate(there, hit)) continue;
-        observe(there, hit.height);
-        advance(there, outer - hit.range);
-        p = there;
-        return hit;
     }
-    advance(p, outer - inner);
-    return {};
+};
+
+// Moves all profiles from a ring's inner edge to its outer edge, each over the first of its cell's
+// low hits that fits. They are tried from the lowest one on, unless that lies too far below the
+// other. No branches: so the loop becomes vector instructions.
+void crossRing(Profiles& profiles, const LowHits& low, std::size_t firstCell, const Ring& ring,
+               const GroundPlane& plane, OutwardPass& pass)
+{
+    inWideLanes([
+        p = &profiles, plane, ring, az = &low.lowest.z[firstCell], ax = &low.lowest.x[firstCell],
+        ay = &low.lowest.y[firstCell], bz = &low.second.z[firstCell], bx = &low.second.x[firstCell],
+        by = &low.second.y[firstCell], hitRange = &pass.hitRange[firstCell],
+        hitHeight = &pass.hitHeight[firstCell]
+    ]() __attribute__((always_inline)) {
+#pragma GCC ivdep
+        for (std::size_t s = 0; s < kSectors; ++s)
+        {
+            const Profile before = p->at(s);
+            const GroundHit lowest = groundHit(ax[s], ay[s], az[s], plane);
+            const GroundHit second = groundHit(bx[s], by[s], bz[s], plane);
+            const bool exchanged = second.height - lowest.height > kAlone;
+            const GroundHit first{exchanged ? second.range : lowest.range,
+                                  exchanged ? second.height : lowest.height};
+            const GroundHit other{exchanged ? lowest.range : second.range,
+                                  exchanged ? lowest.height : second.height};
+            const Profile atFirst = advanced(before, first.range - ring.inner);
+            const Profile atOther = advanced(before, other.range - ring.inner);
+            const bool takeFirst = insideGate(atFirst, first);
+            const bool takeOther = insideGate(atOther, other);
+            const bool seen = takeFirst | takeOther;
+            const GroundHit hit{takeFirst ? first.range : other.range,
+                                takeFirst ? first.height : other.height};
+            const Profile there{takeFirst ? atFirst.height : atOther.height,
+                                takeFirst ? atFirst.slope : atOther.slope,
+                                takeFirst ? atFirst.hh : atOther.hh,
+                                takeFirst ? atFirst.hs : atOther.hs,
+                                takeFirst ? atFirst.ss : atOther.ss,
+                                takeFirst ? atFirst.blind : atOther.blind};
+            const Profile over = advanced(observed(there, hit.height), ring.outer - hit.range);
+            const Profile past = advanced(before, ring.outer - ring.inner);
+            p->set(s, {seen ? over.height : past.height, seen ? over.slope : past.slope,
+                       seen ? over.hh : past.hh, seen ? over.hs : past.hs, seen ? over.ss : past.ss,
+                       seen ? over.blind : past.blind});
+            hitRange[s] = hit.range;
+            hitHeight[s] = seen ? hit.height : kUnseen;
+        }
+    });
 }
 
-inline void learnFrom(Profile& p, const Profile& neighbour, float arc)
+inline void learnFrom(Profiles& p, std::size_t to, std::size_t from, float arcVariance)
 {
-    const float variance = neighbour.hh + arc * kLateralNoise;
-    if (variance >= p.hh) return;
-    const float w = p.hh / (p.hh + variance);
-    p.height += w * (neighbour.height - p.height);
-    p.slope += w * (neighbour.slope - p.slope);
-    p.hh += w * (variance - p.hh);
-    p.hs += w * (neighbour.hs - p.hs);
-    p.ss += w * (neighbour.ss - p.ss);
+    const float variance = p.hh[from] + arcVariance;
+    if (variance >= p.hh[to]) return;
+    const float w = p.hh[to] / (p.hh[to] + variance);
+    p.height[to] += w * (p.height[from] - p.height[to]);
+    p.slope[to] += w * (p.slope[from] - p.slope[to]);
+    p.hh[to] += w * (variance - p.hh[to]);
+    p.hs[to] += w * (p.hs[from] - p.hs[to]);
+    p.ss[to] += w * (p.ss[from] - p.ss[to]);
 }
 
 // Sectors that see the ground teach those that do not: once around the circle both ways, from the
 // one that knows best.
-void exchangeAcross(std::vector<Profile>& profiles, float range)
+void exchangeAcross(Profiles& p, float range)
 {
-    const std::size_t n = profiles.size();
-    const float arc = range * static_cast<float>(2.0 * kPi) / static_cast<float>(n);
-    const auto best =
-        std::min_element(profiles.begin(), profiles.end(),
-                         [](const Profile& a, const Profile& b) { return a.hh < b.hh; });
-    const auto start = static_cast<std::size_t>(best - profiles.begin());
-    for (std::size_t i = start + 1; i < start + n; ++i)
-        learnFrom(profiles[i % n], profiles[(i - 1) % n], arc);
-    for (std::size_t i = start + n; i > start + 1; --i)
-        learnFrom(profiles[(i - 1) % n], profiles[i % n], arc);
+    const float arc = range * static_cast<float>(2.0 * kPi) / static_cast<float>(kSectors);
+    const float arcVariance = arc * kLateralNoise;
+    const auto best = std::min_element(p.hh.begin(), p.hh.end());
+    const auto start = static_cast<std::size_t>(best - p.hh.begin());
+    for (std::size_t i = start + 1; i < start + kSectors; ++i)
+        learnFrom(p, i % kSectors, (i - 1) % kSectors, arcVariance);
+    for (std::size_t i = start + kSectors; i > start + 1; --i)
+        learnFrom(p, (i - 1) % kSectors, i % kSectors, arcVariance);
 }
 
-std::vector<float> edgeRanges(const PolarGrid& grid)
+OutwardPass passOutwards(const PolarGrid& grid, const LowHits& lowHits, const GroundPlane& plane)
 {
-    std::vector<float> ranges;
-    for (int n = 0; n <= grid.rings; ++n) ranges.push_back(PolarGrid::range(static_cast<float>(n)));
-    return ranges;
-}
-
-// What the pass outwards finds, by edge (as in GroundSurface) and by cell.
-struct OutwardPass
-{
-    std::vector<float> height;      // over the plane at the edge, m
-    std::vector<float> variance;    // of that, m^2
-    std::vector<GroundHit> ground;  // in the cell
-};
-
-OutwardPass passOutwards(const PolarGrid& grid, const std::vector<LowHits>& lowHits,
-                         const GroundPlane& plane, const std::vector<float>& ranges)
-{
-    OutwardPass pass;
-    const std::size_t edges = ranges.size();
-    pass.height.resize(PolarGrid::kSectors * edges);
-    pass.variance.resize(pass.height.size());
-    pass.ground.resize(lowHits.size());
-    std::vector<Profile> profiles(PolarGrid::kSectors);
-    for (std::size_t ring = 0; ring < edges; ++ring)
+    OutwardPass pass(grid);
+    Profiles profiles{Profile()};
+    for (int n = 0; n <= grid.rings; ++n)
     {
-        for (std::size_t sector = 0; sector < profiles.size(); ++sector)
-        {
-            Profile& p = profiles[sector];
-            pass.height[sector * edges + ring] = p.height;
-            pass.variance[sector * edges + ring] = p.hh;
-            if (ring + 1 == edges) continue;
-            const auto cell = static_cast<std::size_t>(
-                grid.cell(static_cast<int>(sector), static_cast<int>(ring)));
-            pass.ground[cell] =
-                crossCell(p, candidates(lowHits[cell], plane), ranges[ring], ranges[ring + 1]);
-        }
-        if (ring + 1 < edges) exchangeAcross(profiles, ranges[ring + 1]);
+        const auto first = static_cast<std::size_t>(PolarGrid::cell(0, n));
+        std::copy(profiles.height.begin(), profiles.height.end(), &pass.height[first]);
+        std::copy(profiles.hh.begin(), profiles.hh.end(), &pass.variance[first]);
+        if (n == grid.rings) break;
+        const Ring ring{PolarGrid::range(static_cast<float>(n)),
+                        PolarGrid::range(static_cast<float>(n + 1))};
+        crossRing(profiles, lowHits, first, ring, plane, pass);
+        exchangeAcross(profiles, ring.outer);
     }
     return pass;
 }
 
-// Blends the heights at one sector's edges with what the ground hits farther out say.
-void passInwards(OutwardPass& pass, std::size_t sector, const std::vector<float>& ranges)
+// Blends the heights at the edges with what the ground hits farther out say.
+std::vector<float> passInwards(const PolarGrid& grid, OutwardPass pass)
 {
-    const std::size_t rings = ranges.size() - 1;
-    Profile p;
-    p.hh = 100.0F;  // knows nothing yet
-    for (std::size_t ring = rings; ring-- > 0;)
+    Profile ignorant;
+    ignorant.hh = 100.0F;
+    Profiles profiles(ignorant);
+    for (int n = grid.rings; n-- > 0;)
     {
-        float at = ranges[ring + 1];
-        const GroundHit& hit = pass.ground[sector * rings + ring];
-        if (hit.seen())
-        {
-            advance(p, hit.range - at);
-            observe(p, hit.height);
-            at = hit.range;
-        }
-        advance(p, ranges[ring] - at);
-        const std::size_t edge = sector * (rings + 1) + ring;
-        const float w = pass.variance[edge] / (pass.variance[edge] + p.hh);
-        pass.height[edge] += w * (p.height - pass.height[edge]);
+        const auto first = static_cast<std::size_t>(PolarGrid::cell(0, n));
+        inWideLanes([
+            p = &profiles, inner = PolarGrid::range(static_cast<float>(n)),
+            outer = PolarGrid::range(static_cast<float>(n + 1)), height = &pass.height[first],
+            variance = &pass.variance[first], hitRange = &pass.hitRange[first],
+            hitHeight = &pass.hitHeight[first]
+        ]() __attribute__((always_inline)) {
+#pragma GCC ivdep
+            for (std::size_t s = 0; s < kSectors; ++s)
+            {
+                const Profile before = p->at(s);
+                const bool seen = hitHeight[s] == hitHeight[s];
+                const Profile over =
+                    advanced(observed(advanced(before, hitRange[s] - outer), hitHeight[s]),
+                             inner - hitRange[s]);
+                const Profile past = advanced(before, inner - outer);
+                const Profile there{
+                    seen ? over.height : past.height, seen ? over.slope : past.slope,
+                    seen ? over.hh : past.hh,         seen ? over.hs : past.hs,
+                    seen ? over.ss : past.ss,         seen ? over.blind : past.blind};
+                const float w = variance[s] / (variance[s] + there.hh);
+                height[s] += w * (there.height - height[s]);
+                p->set(s, there);
+            }
+        });
     }
+    return std::move(pass.height);
 }
 }  // namespace
 
-GroundSurface followGround(const PolarGrid& grid, const std::vector<LowHits>& lowHits,
-                           const GroundPlane& plane)
+GroundSurface followGround(const PolarGrid& grid, const LowHits& lowHits, const GroundPlane& plane)
 {
-    const std::vector<float> ranges = edgeRanges(grid);
-    OutwardPass pass = passOutwards(grid, lowHits, plane, ranges);
-    for (std::size_t sector = 0; sector < PolarGrid::kSectors; ++sector)
-        passInwards(pass, sector, ranges);
-    return {plane, std::move(pass.height)};
+    return {plane, passInwards(grid, passOutwards(grid, lowHits, plane))};
 }
 
 }  // namespace vdamf

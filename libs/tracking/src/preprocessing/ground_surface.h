@@ -9,8 +9,8 @@
 
 namespace vdamf
 {
-/// Height of the ground over the plane at the edges of each ring of each sector: entry
-/// sector * (rings + 1) + n is the height at the range of PolarGrid coordinate n.
+/// Height of the ground over the plane at the edges of each ring of each sector: the entries of a
+/// cell's number, and of that plus kSectors, are the heights at its inner and its outer edge.
 struct GroundSurface
 {
     GroundPlane plane;
@@ -22,7 +22,6 @@ struct GroundSurface
 /// the gate of the prediction is no ground (an object, a mirror image); where no ground is seen
 /// the neighbouring sectors and the slope from inside carry it on. A second pass inwards, as in
 /// a two-filter smoother, uses the ground behind an object too.
-GroundSurface followGround(const PolarGrid& grid, const std::vector<LowHits>& lowHits,
-                           const GroundPlane& plane);
+GroundSurface followGround(const PolarGrid& grid, const LowHits& lowHits, const GroundPlane& plane);
 
 }  // namespace vdamf

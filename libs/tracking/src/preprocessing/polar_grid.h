@@ -3,7 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -34,7 +34,8 @@ struct PolarGrid
     }
 
     int cells() const { return kSectors * rings; }
-    int cell(int sector, int ring) const { return sector * rings + ring; }
+    /// Ring by ring, so that what is done sector by sector runs over neighbours in memory.
+    static int cell(int sector, int ring) { return ring * kSectors + sector; }
 };
 
 /// Where the hits of a frame lie, arrays as long as its points. Small on purpose: the time that
@@ -42,10 +43,11 @@ struct PolarGrid
 struct PolarHits
 {
     Eigen::Vector3f shift = Eigen::Vector3f::Zero();  ///< from the points to sensor coordinates, m
-    std::vector<float> ring;           ///< PolarGrid::coordinate; negative where not used
-    std::vector<std::uint8_t> sector;  ///< counter-clockwise from +x
+    std::vector<float> ring;          ///< PolarGrid::coordinate; negative where not used
+    std::vector<std::uint16_t> cell;  ///< 0 where not used
+    /// Millimetres above a depth that no hit reaches; the greatest where not used.
+    std::vector<std::uint32_t> elevation;
 };
-static_assert(PolarGrid::kSectors == 256, "a sector fits a byte exactly");
 
 /// Hits out of the options' ranges or not finite are marked as not used.
 PolarHits locateHits(const LadarFrame& frame, const GroundOptions& options);
@@ -60,11 +62,23 @@ struct LowHit
     bool seen() const { return z < kNoHit; }
 };
 
-/// The two lowest hits of a cell, the lowest first: the candidates for its ground.
-using LowHits = std::array<LowHit, 2>;
+/// Hits of all cells, one a cell, as arrays over the cells.
+struct CellHits
+{
+    std::vector<float> z, x, y;
 
-/// One entry a cell.
-std::vector<LowHits> lowestHits(const PointCloud& points, const PolarHits& hits,
-                                const PolarGrid& grid);
+    explicit CellHits(std::size_t cells) : z(cells, LowHit::kNoHit), x(cells), y(cells) {}
+
+    LowHit at(std::size_t cell) const { return {z[cell], x[cell], y[cell]}; }
+};
+
+/// The two lowest hits of each cell: the candidates for its ground.
+struct LowHits
+{
+    CellHits lowest;
+    CellHits second;
+};
+
+LowHits lowestHits(const PointCloud& points, const PolarHits& hits, const PolarGrid& grid);
 
 }  // namespace vdamf

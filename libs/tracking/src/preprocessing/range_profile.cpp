@@ -2,29 +2,71 @@
 #include "vdamf/tracking/preprocessing/range_profile.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
+#include "preprocessing/bearing.h"
+#include "preprocessing/wide_lanes.h"
+
 namespace vdamf
 {
+namespace
+{
+constexpr int kSectors = 720;
+constexpr float kHidingHeight = 0.6F;  // m
+
+// Squared range and sector of some of the hits above ground. Cells' bearings need be no better
+// than a thousandth of a sector.
+struct Block
+{
+    static constexpr std::size_t kSize = 512;
+    std::array<float, kSize> squaredRange;
+    std::array<std::uint16_t, kSize> sector;
+
+    void locate(const PointCloud& points, const std::uint32_t* index, const float* height,
+                std::size_t size, const Eigen::Vector2f& sensor)
+    {
+        inWideLanes([
+            =, px = points.x.data(), py = points.y.data(), sx = sensor.x(), sy = sensor.y(),
+            squares = squaredRange.data(), sectors = sector.data()
+        ]() __attribute__((always_inline)) {
+#pragma GCC ivdep
+            for (std::size_t i = 0; i < size; ++i)
+            {
+                const float dx = px[index[i]] - sx;
+                const float dy = py[index[i]] - sy;
+                const float square = dx * dx + dy * dy;
+                const bool hides = (height[i] >= kHidingHeight) & (square < 1e12F);
+                // From bearing -pi on: of the opposite direction from 0 on.
+                const float turn = hides ? turns(-dx, -dy, FineArc()) : 0.0F;
+                const int at = static_cast<int>(turn * kSectors);
+                sectors[i] = static_cast<std::uint16_t>(at < kSectors ? at : kSectors - 1);
+                squares[i] = hides ? square : std::numeric_limits<float>::infinity();
+            }
+        });
+    }
+};
+}  // namespace
+
 RangeProfile rangeProfile(const LadarFrame& frame, const AboveGround& aboveGround)
 {
-    constexpr std::size_t kSectors = 720;
-    constexpr float kHidingHeight = 0.6F;  // m
-    constexpr float kPerRadian = static_cast<float>(kSectors) / 6.2831853F;
     RangeProfile profile;
     profile.nearest.assign(kSectors, std::numeric_limits<float>::infinity());
     const Eigen::Vector2f sensor = (frame.sensor - frame.origin).head<2>().cast<float>();
-    for (std::size_t k = 0; k < aboveGround.index.size(); ++k)
+    Block block;
+    for (std::size_t begin = 0; begin < aboveGround.index.size(); begin += Block::kSize)
     {
-        if (aboveGround.height[k] < kHidingHeight) continue;
-        const float dx = frame.points.x[aboveGround.index[k]] - sensor.x();
-        const float dy = frame.points.y[aboveGround.index[k]] - sensor.y();
-        const auto sector =
-            static_cast<std::size_t>((std::atan2(dy, dx) + 3.1415927F) * kPerRadian);
-        float& nearest = profile.nearest[std::min(sector, kSectors - 1)];
-        nearest = std::min(nearest, std::hypot(dx, dy));
+        const std::size_t size = std::min(Block::kSize, aboveGround.index.size() - begin);
+        block.locate(frame.points, &aboveGround.index[begin], &aboveGround.height[begin], size,
+                     sensor);
+        for (std::size_t i = 0; i < size; ++i)
+        {
+            float& nearest = profile.nearest[block.sector[i]];
+            nearest = std::min(nearest, block.squaredRange[i]);
+        }
     }
+    for (float& nearest : profile.nearest) nearest = std::sqrt(nearest);
     return profile;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "association/plane_index.h"
 #include "tracker/track.h"
 #include "vdamf/tracking/preprocessing/range_profile.h"
 
@@ -181,10 +182,16 @@ private:
     // Two tracks on one object: the older one stays.
     void removeDuplicates()
     {
+        std::vector<PlaneBounds> bounds;
+        for (const Track& track : tracks_)
+            bounds.push_back(PlaneBounds::around(track.box().centre(),
+                                                 std::max(track.box().length, track.box().width)));
+        const PlaneIndex index(bounds);
         for (std::size_t j = 1; j < tracks_.size(); ++j)
         {
-            for (std::size_t k = 0; k < j && tracks_[j].status != TrackStatus::Ended; ++k)
+            for (const std::size_t k : index.overlapping(bounds[j]))
             {
+                if (k >= j || tracks_[j].status == TrackStatus::Ended) break;
                 if (tracks_[k].status == TrackStatus::Ended || !sameObject(tracks_[k], tracks_[j]))
                     continue;
                 const bool keepOlder = tracks_[k].misses <= tracks_[j].misses;

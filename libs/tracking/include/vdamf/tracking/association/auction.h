@@ -14,18 +14,19 @@ namespace vdamf
 {
 struct AssociationOptions
 {
-    double surfaceSigma = 0.3;  ///< m
-    double gate = 3.0;          ///< standard deviations
-    double lengthSlack = 0.6;   ///< m
-    double widthSlack = 0.5;    ///< m
+    double surfaceSigma = 0.3;      ///< m
+    double gateProbability = 0.99;  ///< that a hit of a target lies inside its gate
+    double lengthSlack = 0.6;       ///< m
+    double widthSlack = 0.5;        ///< m
 
     template <class Self, class Visitor>
     static void visit(Self& self, Visitor&& field)
     {
         field(self.surfaceSigma, "surface_sigma_m", 0.05, 2.0,
               "scatter of a target's hits about its predicted box");
-        field(self.gate, "gate_sigma", 0.5, 10.0,
-              "hits farther than this from a predicted box speak against it");
+        field(self.gateProbability, "gate_probability", 0.1, 0.999999,
+              "share of a target's hits that lie inside its gate about the predicted box; hits "
+              "outside of it speak against the target");
         field(self.lengthSlack, "length_slack_m", 0.0, 5.0,
               "by which several clusters together may exceed the predicted length");
         field(self.widthSlack, "width_slack_m", 0.0, 5.0,
@@ -40,6 +41,8 @@ struct PredictedTarget
     double positionSigma = 0.0;  ///< of the centre along each axis, about, m
     double lengthSigma = 0.0;    ///< m
     double widthSigma = 0.0;     ///< m
+    /// With which the box moves on to the time of each cluster (Hits::time), m/s.
+    Eigen::Vector2d velocity = Eigen::Vector2d::Zero();
 };
 
 /// For each target the indices of its clusters, rising; a cluster goes to one target at most.

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Where the tracker's time goes, on recorded drives and on planes full of cars: how it grows with
+// the number of targets, and what threads gain.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <filesystem>
+#include <stdexcept>
+
+#include "scaling/recorded_frames.h"
+#include "scaling/stress_scene.h"
+#include "scaling/tables.h"
+#include "vdamf/files/output_file.h"
+
+namespace
+{
+namespace fs = std::filesystem;
+using namespace vdamf;
+
+struct Cli
+{
+    std::vector<int> targets{50, 500, 5000, 10000};
+    int frames = 13;
+    std::string data;
+    std::string out;
+};
+
+void declare(CLI::App& app, Cli& cli)
+{
+    app.add_option("--targets", cli.targets, "sizes of the made scenes, by commas; 0: none")
+        ->delimiter(',')
+        ->check(CLI::Range(0, 100000))
+        ->capture_default_str();
+    app.add_option("--frames", cli.frames, "frames of each made scene, of which 4 do not count")
+        ->check(CLI::Range(5, 1000))
+        ->capture_default_str();
+    app.add_option("--data", cli.data, "folder with unpacked KITTI raw drives");
+    app.add_option("--out", cli.out, "folder for scaling.csv and scaling.svg");
+    app.footer("Example:\n  vdamf_benchmark_scaling --targets 50,500 --out scaling");
+}
+
+TimedRun timedDrive(const fs::path& drive)
+{
+    constexpr int kWarmUp = 5;
+    const std::vector<LadarFrame> frames = recordedFrames(drive);
+    const auto source = [&](int k) { return frames[static_cast<std::size_t>(k)]; };
+    // 2011_09_26_drive_0005_sync -> drive_0005
+    std::string name = drive.filename().string();
+    if (name.rfind("2011_09_26_", 0) == 0) name = name.substr(11, 10);
+    return {name, 0, 1, timedSequence(source, static_cast<int>(frames.size()), kWarmUp, {})};
+}
+
+TimedRun timedScene(int targets, int frames)
+{
+    constexpr int kWarmUp = 4;
+    const StressScene scene{targets};
+    TrackerOptions options;
+    options.ground.maxRange = 300.0;
+    return {std::to_string(targets) + " targets", targets, 1,
+            timedSequence([&](int k) { return scene.frame(k); }, frames, kWarmUp, options)};
+}
+
+void writeFile(const fs::path& path, const std::string& content)
+{
+    OutputFile file(path, OutputFile::Existing::Overwrite, OutputFile::Unfinished::Discard);
+    file.write(content);
+    file.commit();
+}
+
+int run(const Cli& cli)
+{
+    std::vector<TimedRun> runs;
+    if (!cli.data.empty())
+        for (const fs::path& drive : recordedDrives(cli.data)) runs.push_back(timedDrive(drive));
+    for (const int targets : cli.targets)
+        if (targets > 0) runs.push_back(timedScene(targets, cli.frames));
+    std::printf("%s", stageTable(runs).c_str());
+    if (cli.out.empty()) return 0;
+    fs::create_directories(cli.out);
+    writeFile(fs::path(cli.out) / "scaling.csv", timesCsv(runs));
+    writeFile(fs::path(cli.out) / "scaling.svg", scalingSvg(runs));
+    return 0;
+}
+}  // namespace
+
+int main(int argc, char** argv)
+{
+    CLI::App app("Time of the tracker, stage by stage, on recorded drives and on many targets.");
+    Cli cli;
+    declare(app, cli);
+    CLI11_PARSE(app, argc, argv);
+    try
+    {
+        return run(cli);
+    }
+    catch (const std::exception& error)
+    {
+        std::fprintf(stderr, "vdamf_benchmark_scaling: %s\n", error.what());
+        return 1;
+    }
+}

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Which targets a cluster could belong to, and how much speaks for it.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "association/plane_index.h"
+#include "vdamf/tracking/association/auction.h"
+
+namespace vdamf
+{
+/// Where the predicted box has its hits: with their scatter about it and its own uncertainty.
+class TargetSurface
+{
+public:
+    /// At the time of some hits, s after the frame's.
+    TargetSurface(const PredictedTarget& target, double time, const AssociationOptions& options);
+
+    /// Squared distance of a place from the box in standard deviations, 0 inside.
+    double squaredDistance(double x, double y) const
+    {
+        const double dx = x - centre_.x();
+        const double dy = y - centre_.y();
+        const double outX = std::max(0.0, std::abs(c_ * dx + s_ * dy) - half_.x());
+        const double outY = std::max(0.0, std::abs(c_ * dy - s_ * dx) - half_.y());
+        return (outX * outX + outY * outY) / variance_;
+    }
+
+    /// Log likelihood ratio of a hit there: on this target against on a new object.
+    double benefit(double squaredDistance) const { return worth_ - 0.5 * squaredDistance; }
+
+private:
+    Eigen::Vector2d centre_;
+    Eigen::Vector2d half_;
+    double c_, s_;
+    double variance_;  // m^2
+    double worth_;     // of a hit in the box
+};
+
+/// Squared distance of the gate, of a Gaussian in the plane: chi-square with 2 degrees of freedom.
+double squaredGate(const AssociationOptions& options);
+
+struct Candidate
+{
+    std::size_t target;
+    double benefit;  ///< log likelihood ratio of all hits
+};
+
+/// Finds targets by place.
+class CandidateFinder
+{
+public:
+    CandidateFinder(const std::vector<PredictedTarget>& targets, const AssociationOptions& options);
+
+    /// Targets within whose gates a cluster may have hits, rising.
+    std::vector<std::size_t> inReach(const Hits& hits) const;
+    /// Targets that a cluster benefits from, best first; the earlier one of equals.
+    std::vector<Candidate> candidates(const Hits& hits) const;
+
+private:
+    const std::vector<PredictedTarget>& targets_;
+    const AssociationOptions& options_;
+    PlaneIndex index_;
+};
+
+}  // namespace vdamf

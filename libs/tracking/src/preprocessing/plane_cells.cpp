@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "preprocessing/plane_cells.h"
+
+#include <Eigen/Core>
+#include <cmath>
+
+#include "preprocessing/wide_lanes.h"
+
+namespace vdamf
+{
+namespace
+{
+constexpr float kReach = 1000.0F;  // hits farther than this from the sensor are no use, m
+constexpr std::uint32_t kMiddle = static_cast<std::uint32_t>(kReach / PlaneCells::kSize);
+constexpr std::uint32_t kNone = PlaneCells::kNone;
+
+// The hits above ground from the sensor, with the places of their cells on a grid around it.
+struct PlaneHits
+{
+    std::vector<float> x, y;           // m
+    std::vector<std::uint32_t> place;  // row in the upper half, column in the lower; kNone
+
+    std::size_t size() const { return place.size(); }
+};
+
+PlaneHits placesOf(const LadarFrame& frame, const AboveGround& above)
+{
+    const std::size_t size = above.index.size();
+    PlaneHits hits{std::vector<float>(size), std::vector<float>(size),
+                   std::vector<std::uint32_t>(size)};
+    const Eigen::Vector2f shift = (frame.origin - frame.sensor).head<2>().cast<float>();
+    inWideLanes([
+        =, index = above.index.data(), px = frame.points.x.data(), py = frame.points.y.data(),
+        dx = shift.x(), dy = shift.y(), hx = hits.x.data(), hy = hits.y.data(),
+        place = hits.place.data()
+    ]() __attribute__((always_inline)) {
+#pragma GCC ivdep
+        for (std::size_t i = 0; i < size; ++i)
+        {
+            const float x = px[index[i]] + dx;
+            const float y = py[index[i]] + dy;
+            hx[i] = x;
+            hy[i] = y;
+            const bool used = (std::abs(x) < kReach) & (std::abs(y) < kReach);
+            constexpr float kPerMetre = 1.0F / PlaneCells::kSize;
+            const auto column = static_cast<std::int32_t>((used ? x + kReach : 0.0F) * kPerMetre);
+            const auto row = static_cast<std::int32_t>((used ? y + kReach : 0.0F) * kPerMetre);
+            place[i] = used ? static_cast<std::uint32_t>(row << 16 | column) : kNone;
+        }
+    });
+    return hits;
+}
+
+struct Bounds
+{
+    std::uint32_t minColumn = 2 * kMiddle, maxColumn = 0;
+    std::uint32_t minRow = 2 * kMiddle, maxRow = 0;
+};
+
+Bounds boundsOf(const PlaneHits& hits)
+{
+    Bounds b;
+    for (const std::uint32_t place : hits.place)
+    {
+        if (place == kNone) continue;
+        const std::uint32_t column = place & 0xFFFFU;
+        const std::uint32_t row = place >> 16;
+        b.minColumn = column < b.minColumn ? column : b.minColumn;
+        b.maxColumn = column > b.maxColumn ? column : b.maxColumn;
+        b.minRow = row < b.minRow ? row : b.minRow;
+        b.maxRow = row > b.maxRow ? row : b.maxRow;
+    }
+    return b;
+}
+
+// The hits of a cell.
+struct Sum
+{
+    float x = 0.0F, y = 0.0F;
+    std::uint32_t hits = 0;
+    std::uint32_t place = 0;
+};
+
+// Also turns the places of the hits into the numbers of their cells.
+std::vector<Sum> sumsOf(PlaneHits& hits, CellBitmap& bitmap, std::uint32_t first)
+{
+    for (std::uint32_t& place : hits.place)
+    {
+        if (place == kNone) continue;
+        place -= first;
+        bitmap.occupy(static_cast<int>(place & 0xFFFFU), static_cast<int>(place >> 16));
+    }
+    std::vector<Sum> sums(bitmap.enumerate());
+    for (std::size_t i = 0; i < hits.size(); ++i)
+    {
+        const std::uint32_t place = hits.place[i];
+        if (place == kNone) continue;
+        const std::uint32_t number =
+            bitmap.number(static_cast<int>(place & 0xFFFFU), static_cast<int>(place >> 16));
+        hits.place[i] = number;
+        Sum& sum = sums[number];
+        sum.x += hits.x[i];
+        sum.y += hits.y[i];
+        ++sum.hits;
+        sum.place = place;
+    }
+    return sums;
+}
+}  // namespace
+
+PlaneCells sortIntoCells(const LadarFrame& frame, const AboveGround& above)
+{
+    PlaneHits hits = placesOf(frame, above);
+    const Bounds b = boundsOf(hits);
+    if (b.minColumn > b.maxColumn) return {CellBitmap(0, 0), {}, {}, {}, {}, {}, {}};
+    PlaneCells cells{CellBitmap(static_cast<int>(b.maxColumn - b.minColumn) + 1,
+                                static_cast<int>(b.maxRow - b.minRow) + 1),
+                     {},
+                     {},
+                     {},
+                     {},
+                     {},
+                     {}};
+    const std::vector<Sum> sums = sumsOf(hits, cells.bitmap, b.minRow << 16 | b.minColumn);
+    cells.ofHit = std::move(hits.place);
+    cells.x.resize(sums.size() + PlaneCells::kPadding);
+    cells.y.resize(sums.size() + PlaneCells::kPadding);
+    for (std::size_t n = 0; n < sums.size(); ++n)
+    {
+        const auto count = static_cast<float>(sums[n].hits);
+        cells.x[n] = sums[n].x / count;
+        cells.y[n] = sums[n].y / count;
+        cells.hits.push_back(sums[n].hits);
+        cells.column.push_back(static_cast<std::uint16_t>(sums[n].place & 0xFFFFU));
+        cells.row.push_back(static_cast<std::uint16_t>(sums[n].place >> 16));
+    }
+    return cells;
+}
+
+}  // namespace vdamf

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vdamf/tracking/preprocessing/range_profile.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "vdamf/tracking/types/geometry.h"
+
+namespace vdamf
+{
+namespace
+{
+struct Scan
+{
+    LadarFrame frame;
+    AboveGround above;
+
+    void add(double range, double bearing, float height)
+    {
+        above.index.push_back(static_cast<std::uint32_t>(frame.points.size()));
+        above.height.push_back(height);
+        frame.points.x.push_back(
+            static_cast<float>(frame.sensor.x() - frame.origin.x() + range * std::cos(bearing)));
+        frame.points.y.push_back(
+            static_cast<float>(frame.sensor.y() - frame.origin.y() + range * std::sin(bearing)));
+        frame.points.z.push_back(0.0F);
+    }
+};
+
+Scan scanFrom(double x, double y)
+{
+    Scan scan;
+    scan.frame.origin = {100.0, -50.0, 0.0};
+    scan.frame.sensor = {100.0 + x, -50.0 + y, 1.8};
+    return scan;
+}
+
+TEST(RangeProfile, HasTheNearestHitOfEachBearing)
+{
+    Scan scan = scanFrom(0.3, -0.4);
+    std::mt19937 generator(3);
+    const auto below = [&](int limit)
+    { return static_cast<int>(generator() % static_cast<unsigned>(limit)); };
+    std::vector<float> nearest(720, std::numeric_limits<float>::infinity());
+    for (int k = 0; k < 5000; ++k)
+    {
+        const int sector = below(720);
+        const double range = 3.0 + 0.1 * below(700);
+        // Well inside of a sector: its edges are good to a thousandth.
+        const double part = 0.01 + 0.98 * below(1000) / 1000.0;
+        scan.add(range, -kPi + 2.0 * kPi * (sector + part) / 720.0, 1.0F);
+        float& least = nearest[static_cast<std::size_t>(sector)];
+        least = std::min(least, static_cast<float>(range));
+    }
+    const RangeProfile profile = rangeProfile(scan.frame, scan.above);
+    ASSERT_EQ(profile.nearest.size(), nearest.size());
+    for (std::size_t k = 0; k < nearest.size(); ++k)
+    {
+        if (std::isinf(nearest[k]))
+            EXPECT_TRUE(std::isinf(profile.nearest[k])) << k;
+        else
+            EXPECT_NEAR(profile.nearest[k], nearest[k], 2e-5F * nearest[k]) << k;
+    }
+}
+
+TEST(RangeProfile, LooksOverLowHitsAndPastTheAxes)
+{
+    Scan scan = scanFrom(0.0, 0.0);
+    for (const double bearing : {0.0, 0.5 * kPi, -0.5 * kPi, -kPi + 1e-3, kPi - 1e-3})
+    {
+        scan.add(4.0, bearing, 0.5F);
+        scan.add(9.0, bearing, 0.7F);
+    }
+    const RangeProfile profile = rangeProfile(scan.frame, scan.above);
+    for (const double bearing :
+         {1e-4, 0.5 * kPi + 1e-4, -0.5 * kPi + 1e-4, -kPi + 2e-3, kPi - 2e-3})
+        EXPECT_NEAR(profile.at(bearing), 9.0, 1e-3) << bearing;
+    EXPECT_TRUE(std::isinf(profile.at(0.25 * kPi)));
+}
+
+TEST(RangeProfile, HitsThatAreNotFiniteDoNotCount)
+{
+    Scan scan = scanFrom(0.0, 0.0);
+    scan.add(std::numeric_limits<double>::quiet_NaN(), 1.0, 1.0F);
+    scan.add(std::numeric_limits<double>::infinity(), 1.0, 1.0F);
+    for (const float nearest : rangeProfile(scan.frame, scan.above).nearest)
+        EXPECT_TRUE(std::isinf(nearest));
+    EXPECT_EQ(rangeProfile(LadarFrame{}, AboveGround{}).nearest.size(), 720U);
+}
+
+}  // namespace
+}  // namespace vdamf
