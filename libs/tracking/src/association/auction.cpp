@@ -34,11 +34,12 @@ double benefit(const Hits& hits, const PredictedTarget& target, const Associatio
     const double cost = 0.5 * std::log(variance / (options.surfaceSigma * options.surfaceSigma));
     const double c = std::cos(target.box.heading);
     const double s = std::sin(target.box.heading);
+    const Eigen::Vector2d centre = target.box.centre() + hits.time * target.velocity;
     double sum = 0.0;
     for (std::size_t i = 0; i < hits.size(); ++i)
     {
-        const double dx = hits.x[i] - target.box.x;
-        const double dy = hits.y[i] - target.box.y;
+        const double dx = hits.x[i] - centre.x();
+        const double dy = hits.y[i] - centre.y();
         const double outX = std::max(0.0, std::abs(c * dx + s * dy) - 0.5 * target.box.length);
         const double outY = std::max(0.0, std::abs(c * dy - s * dx) - 0.5 * target.box.width);
         const double d2 = (outX * outX + outY * outY) / variance;
@@ -64,7 +65,8 @@ std::vector<Candidate> candidates(const Hits& hits, const std::vector<PredictedT
         const PredictedTarget& t = targets[j];
         const double reach = circle.radius + 0.5 * std::hypot(t.box.length, t.box.width) +
                              options.gate * std::hypot(options.surfaceSigma, t.positionSigma);
-        if ((t.box.centre() - circle.centre).squaredNorm() > reach * reach) continue;
+        const Eigen::Vector2d centre = t.box.centre() + hits.time * t.velocity;
+        if ((centre - circle.centre).squaredNorm() > reach * reach) continue;
         const double b = benefit(hits, t, options);
         if (b > 0.0) found.push_back({j, b});
     }
@@ -78,14 +80,18 @@ struct Extent
 {
     double minX = 1e30, maxX = -1e30, minY = 1e30, maxY = -1e30;
 
-    void add(const Hits& hits, double heading)
+    // Those of hits where a target of that velocity has them at time zero.
+    void add(const Hits& hits, const PredictedTarget& target)
     {
-        const double c = std::cos(heading);
-        const double s = std::sin(heading);
+        const double c = std::cos(target.box.heading);
+        const double s = std::sin(target.box.heading);
+        const Eigen::Vector2d moved = hits.time * target.velocity;
         for (std::size_t i = 0; i < hits.size(); ++i)
         {
-            const double x = c * hits.x[i] + s * hits.y[i];
-            const double y = c * hits.y[i] - s * hits.x[i];
+            const double dx = hits.x[i] - moved.x();
+            const double dy = hits.y[i] - moved.y();
+            const double x = c * dx + s * dy;
+            const double y = c * dy - s * dx;
             minX = std::min(minX, x);
             maxX = std::max(maxX, x);
             minY = std::min(minY, y);
@@ -113,7 +119,7 @@ std::vector<Bid> accepted(std::vector<Bid> bids, const PredictedTarget& target,
     for (const Bid& bid : bids)
     {
         Extent grown = extent;
-        grown.add(clusters[bid.cluster], target.box.heading);
+        grown.add(clusters[bid.cluster], target);
         const bool fits =
             grown.maxX - grown.minX <= maxLength && grown.maxY - grown.minY <= maxWidth;
         if (!taken.empty() && !fits) continue;

@@ -52,14 +52,14 @@ BoxMeasurement withSizes(const Measurement& m, const Eigen::Vector2d& sensor,
 }  // namespace
 
 VehicleState startState(const Measurement& measurement, const Eigen::Vector2d& sensor,
-                        double speedSigma, const VisibilityOptions& visibility,
+                        const StartSpeed& speed, const VisibilityOptions& visibility,
                         const MotionOptions& motion)
 {
     const BoxMeasurement box = withSizes(measurement, sensor, visibility);
     const double axis = motion.axisFractionSigma * box.box(3);
     constexpr double kCurvatureSigma = 0.05;  // 1/m
     VehicleState state;
-    state.mean << box.box.head<3>(), 0.0, 0.0, motion.axisFraction * box.box(3), box.box(3);
+    state.mean << box.box.head<3>(), speed.mean, 0.0, motion.axisFraction * box.box(3), box.box(3);
     state.width = box.box(4);
     state.widthVariance = box.covariance(4, 4);
     StateMatrix& p = state.covariance;
@@ -67,7 +67,7 @@ VehicleState startState(const Measurement& measurement, const Eigen::Vector2d& s
     p.block<3, 1>(0, kLength) = box.covariance.block<3, 1>(0, 3);
     p.block<1, 3>(kLength, 0) = box.covariance.block<1, 3>(3, 0);
     p(kLength, kLength) = box.covariance(3, 3);
-    p(kSpeed, kSpeed) = speedSigma * speedSigma;
+    p(kSpeed, kSpeed) = speed.sigma * speed.sigma;
     p(kCurvature, kCurvature) = kCurvatureSigma * kCurvatureSigma;
     p(kAxis, kAxis) = axis * axis;
     return state;

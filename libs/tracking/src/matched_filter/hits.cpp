@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 #include <optional>
 
 namespace vdamf
@@ -139,6 +140,9 @@ Hits projectHits(const Cluster& cluster, double cellSize)
     Hits hits;
     const std::vector<Cell> cells = cellsOf(cluster, cellSize);
     hits.heights = heightsOf(cluster);
+    if (!cluster.time.empty())
+        hits.time = std::accumulate(cluster.time.begin(), cluster.time.end(), 0.0) /
+                    static_cast<double>(cluster.time.size());
     for (auto* column :
          {&hits.x, &hits.y, &hits.weight, &hits.varianceX, &hits.covariance, &hits.varianceY})
         column->reserve(cells.size());
@@ -165,6 +169,7 @@ Hits joined(const Hits& a, const Hits& b)
     all.weight.insert(all.weight.end(), b.weight.begin(), b.weight.end());
     all.totalWeight += b.totalWeight;
     all.heights |= b.heights;
+    if (all.totalWeight > 0.0) all.time += (b.time - a.time) * b.totalWeight / all.totalWeight;
     const auto append = [&](std::vector<double>& to, const std::vector<double>& from)
     {
         if (to.empty() && from.empty()) return;

@@ -211,6 +211,7 @@ std::vector<Cluster> gather(const LadarFrame& frame, const AboveGround& above,
     for (std::size_t i = 0; i < clusters.size(); ++i)
         for (auto* values : {&clusters[i].x, &clusters[i].y, &clusters[i].z, &clusters[i].height})
             values->reserve(numbers.hits[i]);
+    const bool timed = !frame.points.time.empty();
     for (std::size_t i = 0; i < cellOfHit.size(); ++i)
     {
         if (cellOfHit[i] == kNone) continue;
@@ -221,6 +222,7 @@ std::vector<Cluster> gather(const LadarFrame& frame, const AboveGround& above,
         clusters[to].y.push_back(frame.points.y[from]);
         clusters[to].z.push_back(frame.points.z[from]);
         clusters[to].height.push_back(above.height[i]);
+        if (timed) clusters[to].time.push_back(frame.points.time[from]);
     }
     return clusters;
 }

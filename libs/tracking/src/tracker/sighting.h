@@ -31,7 +31,8 @@ struct SegmentedFrame
 /// Hits of one target in one frame, and what they measured. World frame.
 struct Sighting
 {
-    double time = 0.0;                                 ///< s
+    double time = 0.0;                                 ///< of the frame, s
+    double lag = 0.0;                                  ///< of the hits after it, s
     Eigen::Vector2d sensor = Eigen::Vector2d::Zero();  ///< m
     Measurement measurement;
     double groundZ = 0.0;  ///< local ground, m

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "tracker/one_time.h"
 #include "tracker/track.h"
 #include "vdamf/tracking/preprocessing/range_profile.h"
 
@@ -88,7 +89,7 @@ private:
         for (const Track& track : tracks_)
         {
             all.push_back({relativeTo(track.box(), origin), positionSigma(track),
-                           track.lengthSigma(), track.widthSigma()});
+                           track.lengthSigma(), track.widthSigma(), track.velocity()});
         }
         return all;
     }
@@ -109,12 +110,17 @@ private:
     {
         constexpr double kVague = 0.3;      // m
         constexpr double kPoorMatch = 0.6;  // of the last one
-        const Hits hits = hitsOf(frame, clusters);
-        const OrientedBox start = relativeTo(track.box(), frame.origin);
-        const auto from = [&](const OrientedBox& box)
+        const auto [hits, lag] = hitsAtOneTime(frame, clusters, motionOf(track.state, frame),
+                                               options_.measurement.mergeCell);
+        const OrientedBox start =
+            relativeTo(stateAt(track.state, lag, options_.motion).box(), frame.origin);
+        const auto from = [&, &hits = hits, lag = lag](const OrientedBox& box)
         {
-            return sightingOf(frame, clusters, hits, box,
-                              Eigen::Vector2d(start.length, start.width), options_.measurement);
+            Sighting s =
+                sightingOf(frame, clusters, hits, box, Eigen::Vector2d(start.length, start.width),
+                           options_.measurement);
+            s.lag = lag;
+            return s;
         };
         Sighting best = from(start);
         if (positionSigma(track) < kVague && best.measurement.match > kPoorMatch * track.lastMatch)
@@ -159,16 +165,25 @@ private:
             for (const std::size_t i : taken) claimed[i] = true;
         for (std::size_t i = 0; i < frame.clusters.size(); ++i)
         {
-            const Hits& hits = frame.hits[i];
-            if (claimed[i] || !mayStart(frame.clusters[i], hits)) continue;
+            if (claimed[i] || !mayStart(frame.clusters[i], frame.hits[i])) continue;
+            const auto [hits, lag] =
+                hitsAtOneTime(frame, {i}, unknownMotion(), options_.measurement.mergeCell);
             const OrientedBox start =
                 startBox(hits, frame.sensorInFrame(), widestEnd(heightOf(frame.clusters[i])),
                          options_.measurement.fit);
             if (std::hypot(start.length, start.width) > options_.lifecycle.maxExtent) continue;
-            const Sighting s =
-                sightingOf(frame, {i}, hits, start, std::nullopt, options_.measurement);
-            tracks_.push_back(startedTrack(nextId_++, s, options_));
+            Sighting s = sightingOf(frame, {i}, hits, start, std::nullopt, options_.measurement);
+            s.lag = lag;
+            tracks_.push_back(
+                startedTrack(nextId_++, s, {0.0, options_.lifecycle.startSpeedSigma}, options_));
         }
+    }
+
+    TargetMotion unknownMotion() const
+    {
+        TargetMotion motion;
+        motion.speedSigma = options_.lifecycle.startSpeedSigma;
+        return motion;
     }
 
     bool mayStart(const Cluster& cluster, const Hits& hits) const

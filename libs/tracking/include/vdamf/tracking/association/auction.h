@@ -40,6 +40,8 @@ struct PredictedTarget
     double positionSigma = 0.0;  ///< of the centre along each axis, about, m
     double lengthSigma = 0.0;    ///< m
     double widthSigma = 0.0;     ///< m
+    /// With which the box moves on to the time of each cluster (Hits::time), m/s.
+    Eigen::Vector2d velocity = Eigen::Vector2d::Zero();
 };
 
 /// For each target the indices of its clusters, rising; a cluster goes to one target at most.

@@ -6,11 +6,18 @@
 
 namespace vdamf
 {
-/// State from a first measurement: at rest, give or take `speedSigma` (m/s); the axle at its prior.
+/// What is known of a new vehicle's speed along its heading, m/s.
+struct StartSpeed
+{
+    double mean = 0.0;
+    double sigma = 16.0;
+};
+
+/// State from a first measurement, with the axle at its prior.
 /// Sizes are those measured, after a car's where that fits (assumeVehicleSize). World frame, also
 /// for the sensor.
 VehicleState startState(const Measurement& measurement, const Eigen::Vector2d& sensor,
-                        double speedSigma, const VisibilityOptions& visibility,
+                        const StartSpeed& speed, const VisibilityOptions& visibility,
                         const MotionOptions& motion);
 
 }  // namespace vdamf

@@ -24,6 +24,7 @@ struct Hits
     std::vector<double> varianceX, covariance, varianceY;
     /// Bit k: there are hits from k to k + 1 tenths of a metre above the ground. 0: unknown.
     std::uint64_t heights = 0;
+    double time = 0.0;  ///< mean, s after the frame's; 0 where hits have no times
 
     std::size_t size() const { return x.size(); }
 
