@@ -10,29 +10,34 @@ namespace vdamf
 {
 namespace
 {
-constexpr double kDecisive = 5.0;      // log odds, from which on a heading is changed
 constexpr double kCertain = 9.0;       // most of them that are kept: even habit can be wrong
 constexpr double kLongest = 0.2;       // s, that count for one frame
 constexpr double kCourseRate = 20.0;   // log odds a second
-constexpr double kSizeRate = 5.0;      // log odds a second
+constexpr double kSizeRate = 10.0;     // log odds a second, for sizes that leave no doubt
 constexpr double kReverseSpeed = 4.0;  // m/s: nobody reverses faster on a road
 constexpr double kSideways = 0.5;      // cosine, below which a course is neither forth nor back
 
-// Between an end (1) and a side (-1); 0 for what is smaller than the ends of cars.
+// Log odds that a face is an end and no side, of one frame; 0 for what is smaller than the ends of
+// cars. Ends may be shortened sides, but no end is longer than the widest one.
+constexpr double kSure = 3.0;
 double endNotSide(double extent, double widestEnd)
 {
     constexpr double kSmallest = 1.3;    // m
     constexpr double kTransition = 0.3;  // m
     if (extent < kSmallest) return 0.0;
-    return std::clamp((widestEnd - extent) / kTransition, -1.0, 1.0);
+    return std::clamp((widestEnd - extent) / kTransition, -kSure, 1.0);
 }
 
 double sizeEvidence(const HeadingCues& cues)
 {
+    const bool bothAreSides =
+        cues.width && cues.length && std::min(*cues.width, *cues.length) > cues.widestEnd;
+    if (bothAreSides)
+        return std::clamp(kSure * std::log(*cues.length / *cues.width), -kSure, kSure);
     double sum = 0.0;
     if (cues.width) sum += endNotSide(*cues.width, cues.widestEnd);
     if (cues.length) sum -= endNotSide(*cues.length, cues.widestEnd);
-    return std::clamp(sum, -1.0, 1.0);
+    return std::clamp(sum, -kSure, kSure);
 }
 }  // namespace
 
@@ -57,10 +62,10 @@ HeadingBelief HeadingBelief::after(const HeadingCues& cues) const
     return next;
 }
 
-int HeadingBelief::turnDue() const
+int HeadingBelief::turnDue(double logOdds) const
 {
     const auto best = std::max_element(log_.begin(), log_.end());
-    return *best - log_[0] > kDecisive ? static_cast<int>(best - log_.begin()) : 0;
+    return *best - log_[0] > logOdds ? static_cast<int>(best - log_.begin()) : 0;
 }
 
 HeadingBelief HeadingBelief::turned(int quarters) const

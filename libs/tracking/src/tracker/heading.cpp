@@ -11,6 +11,10 @@ namespace
 {
 constexpr double kCourseDistance = 1.5;  // m: beyond what measurement noise could feign
 constexpr double kCourseSpeed = 0.75;    // m/s
+// Log odds from which on a heading is changed: of young tracks and of others.
+constexpr double kLikely = 1.0;
+constexpr double kDecisive = 5.0;
+constexpr int kYoung = 10;  // sightings
 
 // Straight displacement over the path kept.
 struct Course
@@ -54,12 +58,29 @@ HeadingCues cuesOf(const Track& track)
     return cues;
 }
 
+// What was held for the length of a box across is no width: the far side is where a car has it.
+Measurement narrowed(const Measurement& measurement, const Eigen::Vector2d& sensor,
+                     double widestEnd, const VisibilityOptions& options)
+{
+    const double excess = measurement.box.width - options.carWidth;
+    if (measurement.box.width < widestEnd) return measurement;
+    Measurement m = measurement;
+    const double near = nearestPoint(m.box, sensor).y() > 0.0 ? 1.0 : -1.0;
+    const Eigen::Vector2d left = rotation(m.box.heading).col(1);
+    m.box.x += 0.5 * near * excess * left.x();
+    m.box.y += 0.5 * near * excess * left.y();
+    m.box.width = options.carWidth;
+    m.hiddenEnds.add(near > 0.0 ? Face::Right : Face::Left);
+    return m;
+}
+
 // The track started anew with its measurement turned; it keeps its identity and history.
 Track quarterTurned(const Track& track, const Sighting& sighting, int quarters,
                     const Course& course, const TrackerOptions& options)
 {
     Sighting turned = sighting;
-    turned.measurement = turnedBy(*track.measurement, quarters);
+    turned.measurement = narrowed(turnedBy(*track.measurement, quarters), sighting.sensor,
+                                  widestEnd(track.height), options.visibility);
     constexpr double kCourseTime = 0.3;   // s, from which on a path tells a speed
     constexpr double kCourseSigma = 1.0;  // m/s
     StartSpeed speed{0.0, options.lifecycle.startSpeedSigma};
@@ -107,7 +128,8 @@ Track withCheckedHeading(const Track& track, const Sighting& sighting,
 {
     Track next = track;
     next.front = track.front.after(cuesOf(track));
-    const int quarters = next.front.turnDue();
+    const bool isNew = track.sightings < kYoung;
+    const int quarters = next.front.turnDue(isNew ? kLikely : kDecisive);
     if (quarters == 0) return next;
     next.front = next.front.turned(quarters);
     if (quarters == 2) return reversed(next, options.motion);

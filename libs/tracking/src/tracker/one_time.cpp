@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace vdamf
 {
@@ -44,23 +45,34 @@ TimeSpan spanOf(const Cluster& cluster)
     return span;
 }
 
-// The hits before or after the middle of the span, whichever are more.
-Cluster largerPart(const Cluster& cluster, const TimeSpan& span)
+struct Parts
+{
+    Cluster larger, smaller;
+};
+
+// The hits before and after the middle of the span.
+Parts splitInTime(const Cluster& cluster, const TimeSpan& span)
 {
     const double middle = 0.5 * (span.first + span.last);
-    const auto early = std::count_if(cluster.time.begin(), cluster.time.end(),
-                                     [&](float t) { return t < middle; });
-    const bool keepEarly = 2 * static_cast<std::size_t>(early) >= cluster.size();
-    Cluster part;
+    Cluster part[2];
     for (std::size_t i = 0; i < cluster.size(); ++i)
     {
-        if ((cluster.time[i] < middle) != keepEarly) continue;
-        part.x.push_back(cluster.x[i]);
-        part.y.push_back(cluster.y[i]);
-        part.height.push_back(cluster.height[i]);
-        part.time.push_back(cluster.time[i]);
+        Cluster& to = part[cluster.time[i] < middle ? 0 : 1];
+        to.x.push_back(cluster.x[i]);
+        to.y.push_back(cluster.y[i]);
+        to.height.push_back(cluster.height[i]);
+        to.time.push_back(cluster.time[i]);
     }
-    return part;
+    const int larger = part[0].size() >= part[1].size() ? 0 : 1;
+    return {std::move(part[larger]), std::move(part[1 - larger])};
+}
+
+Eigen::Vector2d middleOf(const Cluster& cluster)
+{
+    Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+    for (std::size_t i = 0; i < cluster.size(); ++i)
+        sum += Eigen::Vector2d(cluster.x[i], cluster.y[i]);
+    return sum / static_cast<double>(cluster.size());
 }
 
 double meanTime(const Cluster& cluster)
@@ -102,17 +114,22 @@ HitsAtOneTime hitsAtOneTime(const SegmentedFrame& frame, const std::vector<std::
 {
     const bool timed = std::all_of(clusters.begin(), clusters.end(),
                                    [&](std::size_t k) { return !frame.clusters[k].time.empty(); });
-    if (!timed) return {hitsOf(frame, clusters), 0.0};
+    if (!timed) return {hitsOf(frame, clusters), 0.0, std::nullopt};
     Cluster all = joinedClusters(frame, clusters);
     TimeSpan span = spanOf(all);
+    HitsAtOneTime result;
     if (span.length() > kSeamGap && motion.speedSigma * span.length() > kMostDistance)
     {
-        all = largerPart(all, span);
+        Parts parts = splitInTime(all, span);
+        if (parts.smaller.size() > 0) result.goesOn = middleOf(parts.smaller);
+        all = std::move(parts.larger);
         span = spanOf(all);
     }
-    const double lag = meanTime(all);
-    if (motion.velocity.norm() * span.length() > kStill) all = movedTo(lag, std::move(all), motion);
-    return {projectHits(all, mergeCell), lag};
+    result.lag = meanTime(all);
+    if (motion.velocity.norm() * span.length() > kStill)
+        all = movedTo(result.lag, std::move(all), motion);
+    result.hits = projectHits(all, mergeCell);
+    return result;
 }
 
 }  // namespace vdamf

@@ -22,13 +22,6 @@ struct TargetMotion
 /// Motion of a state, with its centre relative to the frame's origin.
 TargetMotion motionOf(const VehicleState& state, const SegmentedFrame& frame);
 
-/// Hits as they lay together at one time.
-struct HitsAtOneTime
-{
-    Hits hits;
-    double lag = 0.0;  ///< s after the frame's time
-};
-
 /// The hits of some clusters at their mean time, moved there by the target's motion; as they are
 /// where hits have no times. Their mean stays where it is, so that a wrong motion distorts the
 /// shape, but feeds back on no position. What a turning scanner has seen twice, at both ends of its

@@ -42,6 +42,7 @@ Track startedTrack(std::uint64_t id, const Sighting& sighting, const StartSpeed&
     track.height = sighting.height;
     track.sightings = 1;
     track.lastSeen = sighting.time;
+    track.told = SizesTold().with(m);
     track.measurement = m;
     track.lastMatch = m.match;
     if (options.lifecycle.confirmHits <= 1) track.status = TrackStatus::Confirmed;
@@ -53,19 +54,21 @@ Track sightedTrack(const Track& before, const Sighting& sighting, VehicleKalmanF
                    const TrackerOptions& options)
 {
     Track track = before;
-    const VehicleState then = stateAt(before.state, sighting.lag, options.motion);
-    const Measurement m = alignedWith(sighting.measurement, then.mean(kHeading));
     const VisibilityOptions& visibility = options.visibility;
-    BoxMeasurement box = boxThrough(m, faceErrors(m, then, visibility), before.state.size(),
-                                    sighting.sensor, visibility);
+    const Measurement m = alignedWith(
+        sighting.measurement, stateAt(before.state, sighting.lag, options.motion).mean(kHeading));
+    MotionHypotheses hypotheses = before.hypotheses;
+    for (VehicleState* state : {&hypotheses.moving, &hypotheses.standing})
+        *state = grownToACar(*state, m, before.told, visibility);
+    const VehicleState then = stateAt(hypotheses.combined(), sighting.lag, options.motion);
+    BoxMeasurement box =
+        boxThrough(m, faceErrors(m, then, visibility), then.size(), sighting.sensor, visibility);
     box.lag = sighting.lag;
     track.nis = innovationOf(then, box).nis();
-    MotionHypotheses open = before.hypotheses;
-    open.moving =
-        openToGrowth(open.moving, broughtTo(open.moving, m, box.lag, options.motion), visibility);
-    open.standing = openToGrowth(open.standing,
-                                 broughtTo(open.standing, m, box.lag, options.motion), visibility);
-    track.hypotheses = updated(open, box, filter, options.lifecycle.nisGate);
+    for (VehicleState* state : {&hypotheses.moving, &hypotheses.standing})
+        *state = openToGrowth(*state, broughtTo(*state, m, box.lag, options.motion), visibility);
+    track.hypotheses = updated(hypotheses, box, filter, options.lifecycle.nisGate);
+    track.told = before.told.with(m);
     track.state = track.hypotheses.combined();
     track.measurement = m;
     track.lastMatch = m.match;

@@ -35,6 +35,7 @@ struct Track
     double lastSeen = 0.0;   ///< s
     double lastMatch = 0.0;  ///< response per hit of the last sighting, 1/m
     HeadingBelief front;
+    SizesTold told;
     std::deque<PathPoint> path;  ///< sightings of the last second
     // Of the current frame:
     std::optional<Measurement> measurement;

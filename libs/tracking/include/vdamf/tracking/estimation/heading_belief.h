@@ -36,9 +36,9 @@ public:
 
     HeadingBelief after(const HeadingCues& cues) const;
 
-    /// Counter-clockwise quarter turns from the heading held to one that is likelier by odds of
-    /// e^5; 0 where there is none.
-    int turnDue() const;
+    /// Counter-clockwise quarter turns from the heading held to the likeliest one, if its log odds
+    /// against that held are above `logOdds`; else 0.
+    int turnDue(double logOdds) const;
 
     /// The same belief, told from a heading turned counter-clockwise by quarter turns.
     HeadingBelief turned(int quarters) const;

@@ -20,4 +20,19 @@ VehicleState startState(const Measurement& measurement, const Eigen::Vector2d& s
                         const StartSpeed& speed, const VisibilityOptions& visibility,
                         const MotionOptions& motion);
 
+/// Which sizes of a vehicle have been seen from end to end.
+struct SizesTold
+{
+    bool length = false;
+    bool width = false;
+
+    SizesTold with(const Measurement& measurement) const;
+};
+
+/// The predicted state, with a size that was never told taken from a car once the other one, as
+/// measured now, is a car's: what was first seen in part, as behind a pole, may show only later
+/// that it is a vehicle. The face that is seen stays; centre and axle move with the other one.
+VehicleState grownToACar(const VehicleState& predicted, const Measurement& measurement,
+                         const SizesTold& told, const VisibilityOptions& options);
+
 }  // namespace vdamf
