@@ -101,7 +101,7 @@ TEST(VariableAxisModel, ReverseUndoesForward)
 
 TEST(VariableAxisModel, ProcessNoiseEqualsMonteCarloOfItsInputs)
 {
-    // Constant random acceleration and curvature rate over the step, and the diagonal terms.
+    // Acceleration and curvature rate are white, as strong as if each value held for 0.1 s.
     const StateVector x = state(0.7, 8.0, 0.04, 1.26);
     const double dt = 0.1;
     std::mt19937_64 generator(5);
@@ -112,12 +112,13 @@ TEST(VariableAxisModel, ProcessNoiseEqualsMonteCarloOfItsInputs)
     const StateVector mean = predictState(x, dt, kOptions);
     for (int k = 0; k < samples; ++k)
     {
-        const double a = kOptions.accelerationSigma * gauss(generator);
-        const double r = rateSigma * gauss(generator);
         StateVector y = x;
         const int steps = 20;
+        const double white = std::sqrt(0.1 * steps / dt);
         for (int i = 0; i < steps; ++i)
         {
+            const double a = white * kOptions.accelerationSigma * gauss(generator);
+            const double r = white * rateSigma * gauss(generator);
             y(kSpeed) += 0.5 * a * dt / steps;
             y(kCurvature) += 0.5 * r * dt / steps;
             y += dt / steps * rate(y + 0.5 * dt / steps * rate(y));

@@ -85,8 +85,10 @@ MotionHypotheses predicted(const MotionHypotheses& h, double dt, VehicleKalmanFi
 MotionHypotheses updated(const MotionHypotheses& h, const BoxMeasurement& measurement,
                          VehicleKalmanFilter& filter, double nisGate)
 {
-    const Innovation moving = innovationOf(h.moving, measurement);
-    const Innovation standing = innovationOf(h.standing, measurement);
+    const auto foretold = [&](const VehicleState& state)
+    { return innovationOf(stateAt(state, measurement.lag, filter.options()), measurement); };
+    const Innovation moving = foretold(h.moving);
+    const Innovation standing = foretold(h.standing);
     const double odds = h.standingProbability / (1.0 - h.standingProbability) *
                         std::exp(evidence(standing, moving, nisGate));
     MotionHypotheses next;

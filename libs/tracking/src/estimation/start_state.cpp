@@ -5,13 +5,16 @@ namespace vdamf
 {
 namespace
 {
+constexpr double kCarEnd = 1.3;     // m, the narrowest
+constexpr double kWidestCar = 2.3;  // m
+
 // Ends and sides that could be a car's, or the part of one that is not hidden; what is not seen
 // could be anything.
 bool couldBeACar(const Measurement& m)
 {
     const bool lengthFits = !m.facesSeen.seesSide() || m.box.length < 5.5;
-    const bool widthFits = !m.facesSeen.seesEnd() || m.box.width < 2.3;
-    const bool carEnd = m.facesSeen.seesEnd() && m.box.width > (locatesWidth(m) ? 1.3 : 0.9);
+    const bool widthFits = !m.facesSeen.seesEnd() || m.box.width < kWidestCar;
+    const bool carEnd = m.facesSeen.seesEnd() && m.box.width > (locatesWidth(m) ? kCarEnd : 0.9);
     const bool carSide = m.facesSeen.seesSide() && m.box.length > (locatesLength(m) ? 2.1 : 1.2);
     return lengthFits && widthFits && (carEnd || carSide);
 }
@@ -51,15 +54,40 @@ BoxMeasurement withSizes(const Measurement& m, const Eigen::Vector2d& sensor,
 }
 }  // namespace
 
+SizesTold SizesTold::with(const Measurement& m) const
+{
+    return {length || locatesLength(m), width || locatesWidth(m)};
+}
+
+VehicleState grownToACar(const VehicleState& predicted, const Measurement& m, const SizesTold& told,
+                         const VisibilityOptions& o)
+{
+    if (!o.assumeVehicleSize) return predicted;
+    VehicleState next = predicted;
+    const bool endOfACar = locatesWidth(m) && m.box.width > kCarEnd && m.box.width < kWidestCar;
+    const double missing = o.carLength - predicted.mean(kLength);
+    const bool isBack = m.facesSeen.has(Face::Back);
+    if (!told.length && endOfACar && !m.facesSeen.seesSide() && missing > o.carLengthSigma)
+    {
+        StateVector byFace = StateVector::Zero();
+        byFace.head<2>() = (isBack ? 0.5 : -0.5) * rotation(predicted.mean(kHeading)).col(0);
+        byFace(kAxis) = isBack ? 0.5 : -0.5;
+        byFace(kLength) = 1.0;
+        next.mean += missing * byFace;
+        next.covariance += o.carLengthSigma * o.carLengthSigma * byFace * byFace.transpose();
+    }
+    return next;
+}
+
 VehicleState startState(const Measurement& measurement, const Eigen::Vector2d& sensor,
-                        double speedSigma, const VisibilityOptions& visibility,
+                        const StartSpeed& speed, const VisibilityOptions& visibility,
                         const MotionOptions& motion)
 {
     const BoxMeasurement box = withSizes(measurement, sensor, visibility);
     const double axis = motion.axisFractionSigma * box.box(3);
     constexpr double kCurvatureSigma = 0.05;  // 1/m
     VehicleState state;
-    state.mean << box.box.head<3>(), 0.0, 0.0, motion.axisFraction * box.box(3), box.box(3);
+    state.mean << box.box.head<3>(), speed.mean, 0.0, motion.axisFraction * box.box(3), box.box(3);
     state.width = box.box(4);
     state.widthVariance = box.covariance(4, 4);
     StateMatrix& p = state.covariance;
@@ -67,7 +95,7 @@ VehicleState startState(const Measurement& measurement, const Eigen::Vector2d& s
     p.block<3, 1>(0, kLength) = box.covariance.block<3, 1>(0, 3);
     p.block<1, 3>(kLength, 0) = box.covariance.block<1, 3>(3, 0);
     p(kLength, kLength) = box.covariance(3, 3);
-    p(kSpeed, kSpeed) = speedSigma * speedSigma;
+    p(kSpeed, kSpeed) = speed.sigma * speed.sigma;
     p(kCurvature, kCurvature) = kCurvatureSigma * kCurvatureSigma;
     p(kAxis, kAxis) = axis * axis;
     return state;

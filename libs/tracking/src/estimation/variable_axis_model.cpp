@@ -37,6 +37,28 @@ Displacement displacement(double s, double kappa, double d)
             (eta * c - z) / (kappa * kappa) - d * s * z,
             (eta * z - (1.0 - c)) / (kappa * kappa) + d * s * c};
 }
+
+// Accelerations and steering rates hold for about this long before they change, s.
+constexpr double kHold = 0.1;
+
+// How the state is moved, t seconds later, by a unit change now: g0 + g1 t + g2 t^2.
+struct Influence
+{
+    StateVector g0, g1, g2;
+};
+
+// Covariance from changes of unit variance per second over dt: the integral of g g^T.
+StateMatrix accumulated(const Influence& g, double dt)
+{
+    const StateMatrix g01 = g.g0 * g.g1.transpose();
+    const StateMatrix g02 = g.g0 * g.g2.transpose();
+    const StateMatrix g12 = g.g1 * g.g2.transpose();
+    const double dt2 = dt * dt;
+    return dt * (g.g0 * g.g0.transpose()) + dt2 / 2.0 * (g01 + g01.transpose()) +
+           dt2 * dt / 3.0 * (g02 + g02.transpose() + g.g1 * g.g1.transpose()) +
+           dt2 * dt2 / 4.0 * (g12 + g12.transpose()) +
+           dt2 * dt2 * dt / 5.0 * (g.g2 * g.g2.transpose());
+}
 }  // namespace
 
 StateVector predictState(const StateVector& x, double dt, const MotionOptions& options)
@@ -76,35 +98,35 @@ StateMatrix transitionJacobian(const StateVector& x, double dt, const MotionOpti
     return f;
 }
 
-StateMatrix processNoise(const StateVector& x, double dt, const MotionOptions& options)
+StateMatrix processNoise(const StateVector& x, double step, const MotionOptions& options)
 {
+    const double dt = std::abs(step);
     const double v = x(kSpeed);
     const double kappa = x(kCurvature);
     const double d = x(kAxis);
-    const double eta = kappa * v * dt;
-    const Eigen::Matrix2d r = rotation(x(kHeading));
+    const double eta = kappa * v * step;
+    // Of the direction halfway through the step.
+    const Eigen::Matrix2d r = rotation(x(kHeading) + 0.5 * eta);
 
-    StateVector acceleration = StateVector::Zero();
-    acceleration.head<2>() = 0.5 * dt * dt *
-                             (r * Eigen::Vector2d(std::cos(eta) - d * kappa * std::sin(eta),
-                                                  std::sin(eta) + d * kappa * std::cos(eta)));
-    acceleration(kHeading) = 0.5 * kappa * dt * dt;
-    acceleration(kSpeed) = dt;
+    // A unit change of speed or curvature moves the state t seconds on by g1 t + g2 t^2, beside its
+    // own row.
+    const double sign = step < 0.0 ? -1.0 : 1.0;
+    Influence speed{StateVector::Unit(kSpeed), StateVector::Zero(), StateVector::Zero()};
+    speed.g1.head<2>() = sign * (r * Eigen::Vector2d(1.0, d * kappa));
+    speed.g1(kHeading) = sign * kappa;
+    Influence curvature{StateVector::Unit(kCurvature), StateVector::Zero(), StateVector::Zero()};
+    curvature.g1.head<2>() = sign * (r * Eigen::Vector2d(0.0, d * v));
+    curvature.g1(kHeading) = sign * v;
+    curvature.g2.head<2>() = r * Eigen::Vector2d(0.0, 0.5 * v * v);
 
-    StateVector steering = StateVector::Zero();
-    steering.head<2>() =
-        r * Eigen::Vector2d(0.0, v * v * dt * dt * dt / 6.0 + 0.5 * d * v * dt * dt);
-    steering(kHeading) = 0.5 * v * dt * dt;
-    steering(kCurvature) = dt;
     // Steering is bounded by the steering wheel's rate when slow and by lateral jerk when fast; a
     // vehicle that stands shows nothing of it, so its uncertainty must not grow there.
     const double rate =
         std::min(options.maxCurvatureRate, options.lateralJerk / std::max(v * v, 1e-6));
     const double moving = std::min(1.0, std::abs(v) / 0.5);
 
-    StateMatrix q = options.accelerationSigma * options.accelerationSigma * acceleration *
-                    acceleration.transpose();
-    q += rate * rate * moving * steering * steering.transpose();
+    StateMatrix q = std::pow(options.accelerationSigma, 2) * kHold * accumulated(speed, dt) +
+                    rate * rate * moving * kHold * accumulated(curvature, dt);
     q(kX, kX) += options.slipSigma * options.slipSigma * dt;
     q(kY, kY) += options.slipSigma * options.slipSigma * dt;
     q(kHeading, kHeading) += options.headingSigma * options.headingSigma * dt;

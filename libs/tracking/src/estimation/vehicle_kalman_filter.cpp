@@ -4,6 +4,7 @@
 #include <mrpt/bayes/CKalmanFilterCapable.h>
 
 #include <Eigen/Cholesky>
+#include <array>
 
 namespace vdamf
 {
@@ -19,6 +20,8 @@ public:
         m_xkk.resize(7);
         m_pkk.setSize(7, 7);
     }
+
+    const MotionOptions& options() const { return options_; }
 
     VehicleState step(const VehicleState& state, double dt, const BoxMeasurement* measurement)
     {
@@ -54,10 +57,12 @@ protected:
 
     void OnGetObservationNoise(KFMatrix_OxO& r) const override
     {
-        if (measurement_ != nullptr)
-            r.asEigen() = measurement_->covariance.topLeftCorner<4, 4>();
-        else
-            r.setIdentity();
+        r.setIdentity();
+        if (measurement_ == nullptr) return;
+        r.asEigen() = measurement_->covariance.topLeftCorner<4, 4>();
+        if (measurement_->lag == 0.0) return;
+        const StateMatrix q = processNoise(m_xkk.asEigen(), measurement_->lag, options_);
+        r.asEigen() += q(kMeasured, kMeasured);
     }
 
     void OnGetObservationsAndDataAssociation(vector_KFArray_OBS& z, std::vector<int>& association,
@@ -76,14 +81,14 @@ protected:
                             vector_KFArray_OBS& predictions) const override
     {
         predictions.resize(1);
-        predictions[0].asEigen() << m_xkk.asEigen().head<3>(), m_xkk[kLength];
+        predictions[0].asEigen() = stateWhenMeasured()(kMeasured);
     }
 
     void OnObservationJacobians(size_t, KFMatrix_OxV& hx, KFMatrix_OxF&) const override
     {
-        hx.setZero();
-        hx.asEigen().topLeftCorner<3, 3>().setIdentity();
-        hx(3, kLength) = 1.0;
+        const double lag = measurement_ != nullptr ? measurement_->lag : 0.0;
+        hx.asEigen() =
+            transitionJacobian(m_xkk.asEigen(), lag, options_)(kMeasured, Eigen::indexing::all);
     }
 
     void OnSubstractObservationVectors(KFArray_OBS& a, const KFArray_OBS& b) const override
@@ -100,6 +105,14 @@ protected:
     }
 
 private:
+    static constexpr std::array<int, 4> kMeasured{kX, kY, kHeading, kLength};
+
+    StateVector stateWhenMeasured() const
+    {
+        if (measurement_ == nullptr || measurement_->lag == 0.0) return m_xkk.asEigen();
+        return predictState(m_xkk.asEigen(), measurement_->lag, options_);
+    }
+
     MotionOptions options_;
     double dt_ = 0.0;
     const BoxMeasurement* measurement_ = nullptr;
@@ -112,6 +125,21 @@ VehicleKalmanFilter::VehicleKalmanFilter(const MotionOptions& options)
 VehicleKalmanFilter::~VehicleKalmanFilter() = default;
 VehicleKalmanFilter::VehicleKalmanFilter(VehicleKalmanFilter&&) noexcept = default;
 VehicleKalmanFilter& VehicleKalmanFilter::operator=(VehicleKalmanFilter&&) noexcept = default;
+
+const MotionOptions& VehicleKalmanFilter::options() const
+{
+    return engine_->options();
+}
+
+VehicleState stateAt(const VehicleState& state, double dt, const MotionOptions& options)
+{
+    if (dt == 0.0) return state;
+    const StateMatrix f = transitionJacobian(state.mean, dt, options);
+    VehicleState other = state;
+    other.mean = predictState(state.mean, dt, options);
+    other.covariance = f * state.covariance * f.transpose() + processNoise(state.mean, dt, options);
+    return other;
+}
 
 VehicleState VehicleKalmanFilter::predict(const VehicleState& state, double dt)
 {

@@ -10,8 +10,11 @@ namespace vdamf
 namespace
 {
 constexpr double kCourseDistance = 1.5;  // m: beyond what measurement noise could feign
-constexpr double kForwardSpeed = 1.5;    // m/s
-constexpr double kReverseSpeed = 4.0;    // m/s: nobody reverses faster on a road
+constexpr double kCourseSpeed = 0.75;    // m/s
+// Log odds from which on a heading is changed: of young tracks and of others.
+constexpr double kLikely = 1.0;
+constexpr double kDecisive = 5.0;
+constexpr int kYoung = 10;  // sightings
 
 // Straight displacement over the path kept.
 struct Course
@@ -34,24 +37,41 @@ Course courseOf(const Track& track)
             track.path.back().time - track.path.front().time};
 }
 
-// The path runs across the heading.
-bool drivesAcross(const Track& track, const Course& course)
-{
-    if (track.path.size() < 5 || course.distance < kCourseDistance) return false;
-    const double off = course.direction - track.state.mean(kHeading);
-    return std::abs(std::sin(off)) > std::sin(kPi / 3.0) &&
-           course.distance > kForwardSpeed * course.duration;
-}
-
-// What is held for an end is too wide for one.
-bool endIsASide(const Track& track)
+// What the sighting just taken in and the path that it ends tell of the front.
+HeadingCues cuesOf(const Track& track)
 {
     const Measurement& m = *track.measurement;
-    if (!locatesWidth(m)) return false;
-    const double width = track.state.width;
-    const bool tooWide = width > widestEnd(track.height);
-    if (!locatesLength(m)) return tooWide;
-    return width > 1.15 * track.state.mean(kLength) || (tooWide && m.box.width > m.box.length);
+    HeadingCues cues;
+    cues.widestEnd = widestEnd(track.height);
+    if (locatesLength(m)) cues.length = m.box.length;
+    if (locatesWidth(m)) cues.width = m.box.width;
+    if (track.path.size() < 2) return cues;
+    cues.dt = track.path.back().time - track.path[track.path.size() - 2].time;
+    const Course course = courseOf(track);
+    const bool moves = track.path.size() >= 3 && course.distance > kCourseDistance &&
+                       course.distance > kCourseSpeed * course.duration &&
+                       std::abs(track.state.mean(kSpeed)) >
+                           3.0 * std::sqrt(track.state.covariance(kSpeed, kSpeed));
+    if (moves)
+        cues.course = {wrapAngle(course.direction - track.state.mean(kHeading)),
+                       course.distance / course.duration};
+    return cues;
+}
+
+// What was held for the length of a box across is no width: the far side is where a car has it.
+Measurement narrowed(const Measurement& measurement, const Eigen::Vector2d& sensor,
+                     double widestEnd, const VisibilityOptions& options)
+{
+    const double excess = measurement.box.width - options.carWidth;
+    if (measurement.box.width < widestEnd) return measurement;
+    Measurement m = measurement;
+    const double near = nearestPoint(m.box, sensor).y() > 0.0 ? 1.0 : -1.0;
+    const Eigen::Vector2d left = rotation(m.box.heading).col(1);
+    m.box.x += 0.5 * near * excess * left.x();
+    m.box.y += 0.5 * near * excess * left.y();
+    m.box.width = options.carWidth;
+    m.hiddenEnds.add(near > 0.0 ? Face::Right : Face::Left);
+    return m;
 }
 
 // The track started anew with its measurement turned; it keeps its identity and history.
@@ -59,18 +79,17 @@ Track quarterTurned(const Track& track, const Sighting& sighting, int quarters,
                     const Course& course, const TrackerOptions& options)
 {
     Sighting turned = sighting;
-    turned.measurement = turnedBy(*track.measurement, quarters);
-    const Track fresh = startedTrack(track.id, turned, options);
+    turned.measurement = narrowed(turnedBy(*track.measurement, quarters), sighting.sensor,
+                                  widestEnd(track.height), options.visibility);
+    constexpr double kCourseTime = 0.3;   // s, from which on a path tells a speed
+    constexpr double kCourseSigma = 1.0;  // m/s
+    StartSpeed speed{0.0, options.lifecycle.startSpeedSigma};
+    if (course.duration > kCourseTime)
+        speed = {course.speedAlong(turned.measurement.box.heading), kCourseSigma};
+    const Track fresh = startedTrack(track.id, turned, speed, options);
     Track next = track;
     next.state = fresh.state;
     next.measurement = fresh.measurement;
-    next.forwardSeen = false;
-    constexpr double kCourseTime = 0.3;  // s, from which on a path tells a speed
-    if (course.duration > kCourseTime)
-    {
-        next.state.mean(kSpeed) = course.speedAlong(next.state.mean(kHeading));
-        next.state.covariance(kSpeed, kSpeed) = 1.0;
-    }
     next.hypotheses = hypothesesFrom(next.state);
     return next;
 }
@@ -107,22 +126,14 @@ Track reversed(const Track& track, const MotionOptions& motion)
 Track withCheckedHeading(const Track& track, const Sighting& sighting,
                          const TrackerOptions& options)
 {
-    const Course course = courseOf(track);
-    if (drivesAcross(track, course))
-    {
-        const double off = wrapAngle(course.direction - track.state.mean(kHeading));
-        return quarterTurned(track, sighting, off > 0.0 ? 1 : -1, course, options);
-    }
-    if (endIsASide(track)) return quarterTurned(track, sighting, 1, course, options);
-
     Track next = track;
-    const double speed = track.state.mean(kSpeed);
-    const bool moves = std::abs(speed) > 3.0 * std::sqrt(track.state.covariance(kSpeed, kSpeed)) &&
-                       course.distance > kCourseDistance;
-    if (moves && speed > kForwardSpeed) next.forwardSeen = true;
-    const double limit = track.forwardSeen ? kReverseSpeed : 0.5 * kForwardSpeed;
-    if (moves && speed < -limit) return reversed(next, options.motion);
-    return next;
+    next.front = track.front.after(cuesOf(track));
+    const bool isNew = track.sightings < kYoung;
+    const int quarters = next.front.turnDue(isNew ? kLikely : kDecisive);
+    if (quarters == 0) return next;
+    next.front = next.front.turned(quarters);
+    if (quarters == 2) return reversed(next, options.motion);
+    return quarterTurned(next, sighting, quarters, courseOf(track), options);
 }
 
 }  // namespace vdamf

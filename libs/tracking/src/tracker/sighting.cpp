@@ -2,6 +2,7 @@
 #include "tracker/sighting.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "vdamf/tracking/estimation/occlusion.h"
 
@@ -20,8 +21,23 @@ Hits hitsOf(const SegmentedFrame& frame, const std::vector<std::size_t>& cluster
     return all;
 }
 
+Measurement goingOnTowards(const Measurement& measurement, const Eigen::Vector2d& point)
+{
+    const Eigen::Vector2d there = toBoxFrame(measurement.box, point);
+    // Rows of hits run along the faces seen; what goes on is one of them.
+    const bool alongLength =
+        measurement.facesSeen.seesSide() &&
+        (!measurement.facesSeen.seesEnd() || std::abs(there.x()) > std::abs(there.y()));
+    Measurement m = measurement;
+    if (alongLength)
+        m.hiddenEnds.add(there.x() > 0.0 ? Face::Front : Face::Back);
+    else
+        m.hiddenEnds.add(there.y() > 0.0 ? Face::Left : Face::Right);
+    return m;
+}
+
 Sighting sightingOf(const SegmentedFrame& frame, const std::vector<std::size_t>& clusters,
-                    const Hits& hits, const OrientedBox& start,
+                    const HitsAtOneTime& seen, const OrientedBox& start,
                     const std::optional<Eigen::Vector2d>& knownLengthWidth,
                     const MeasureOptions& options)
 {
@@ -29,9 +45,11 @@ Sighting sightingOf(const SegmentedFrame& frame, const std::vector<std::size_t>&
     Sighting s;
     s.time = frame.time;
     s.sensor = frame.sensor.head<2>();
-    s.measurement = measureTarget(hits, sensor, start, options, knownLengthWidth);
+    s.lag = seen.lag;
+    s.measurement = measureTarget(seen.hits, sensor, start, options, knownLengthWidth);
     Measurement& m = s.measurement;
     m.hiddenEnds = hiddenEnds(m.box, m.facesSeen, sensor, frame.profile);
+    if (seen.goesOn) m = goingOnTowards(m, *seen.goesOn);
     m.box.x += frame.origin.x();
     m.box.y += frame.origin.y();
 

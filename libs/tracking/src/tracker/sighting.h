@@ -28,10 +28,21 @@ struct SegmentedFrame
     Eigen::Vector2d sensorInFrame() const { return (sensor - origin).head<2>(); }
 };
 
+/// Hits as they lay together at one time.
+struct HitsAtOneTime
+{
+    Hits hits;
+    double lag = 0.0;  ///< s after the frame's time
+    /// Middle of the part that was left out, in the frame of the hits, m: towards it the target
+    /// goes on.
+    std::optional<Eigen::Vector2d> goesOn;
+};
+
 /// Hits of one target in one frame, and what they measured. World frame.
 struct Sighting
 {
-    double time = 0.0;                                 ///< s
+    double time = 0.0;                                 ///< of the frame, s
+    double lag = 0.0;                                  ///< of the hits after it, s
     Eigen::Vector2d sensor = Eigen::Vector2d::Zero();  ///< m
     Measurement measurement;
     double groundZ = 0.0;  ///< local ground, m
@@ -44,9 +55,13 @@ double heightOf(const Cluster& cluster);
 /// The hits of some of the frame's clusters together.
 Hits hitsOf(const SegmentedFrame& frame, const std::vector<std::size_t>& clusters);
 
+/// The measurement of a target that goes on towards a point (m, same frame) that it does not show:
+/// its end or side there is hidden.
+Measurement goingOnTowards(const Measurement& measurement, const Eigen::Vector2d& point);
+
 /// Measures the hits of some clusters from a start, relative to the frame's origin.
 Sighting sightingOf(const SegmentedFrame& frame, const std::vector<std::size_t>& clusters,
-                    const Hits& hits, const OrientedBox& start,
+                    const HitsAtOneTime& seen, const OrientedBox& start,
                     const std::optional<Eigen::Vector2d>& knownLengthWidth,
                     const MeasureOptions& options);
 

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "vdamf/tracking/estimation/start_state.h"
-
 namespace vdamf
 {
 namespace
@@ -16,24 +14,39 @@ void appendToPath(Track& track, double time, const Eigen::Vector2d& position)
     track.path.push_back({time, position});
     while (track.path.front().time < time - kPathTime) track.path.pop_front();
 }
+
+// The measurement as it would have been `lag` seconds before, at the time of the state.
+Measurement broughtTo(const VehicleState& state, const Measurement& measurement, double lag,
+                      const MotionOptions& options)
+{
+    const StateVector move = predictState(state.mean, lag, options) - state.mean;
+    Measurement m = measurement;
+    m.box.x -= move(kX);
+    m.box.y -= move(kY);
+    m.box.heading = wrapAngle(m.box.heading - move(kHeading));
+    return m;
+}
 }  // namespace
 
-Track startedTrack(std::uint64_t id, const Sighting& sighting, const TrackerOptions& options)
+Track startedTrack(std::uint64_t id, const Sighting& sighting, const StartSpeed& speed,
+                   const TrackerOptions& options)
 {
     const Measurement& m = sighting.measurement;
     Track track;
     track.id = id;
-    track.state = startState(m, sighting.sensor, options.lifecycle.startSpeedSigma,
-                             options.visibility, options.motion);
+    const VehicleState seen =
+        startState(m, sighting.sensor, speed, options.visibility, options.motion);
+    track.state = stateAt(seen, -sighting.lag, options.motion);
     track.hypotheses = hypothesesFrom(track.state);
     track.groundZ = sighting.groundZ;
     track.height = sighting.height;
     track.sightings = 1;
     track.lastSeen = sighting.time;
+    track.told = SizesTold().with(m);
     track.measurement = m;
     track.lastMatch = m.match;
     if (options.lifecycle.confirmHits <= 1) track.status = TrackStatus::Confirmed;
-    appendToPath(track, sighting.time, track.state.mean.head<2>());
+    appendToPath(track, sighting.time + sighting.lag, seen.mean.head<2>());
     return track;
 }
 
@@ -41,15 +54,21 @@ Track sightedTrack(const Track& before, const Sighting& sighting, VehicleKalmanF
                    const TrackerOptions& options)
 {
     Track track = before;
-    const Measurement m = alignedWith(sighting.measurement, track.state.mean(kHeading));
     const VisibilityOptions& visibility = options.visibility;
-    const BoxMeasurement box = boxThrough(m, faceErrors(m, before.state, visibility),
-                                          before.state.size(), sighting.sensor, visibility);
-    track.nis = innovationOf(before.state, box).nis();
-    MotionHypotheses open = before.hypotheses;
-    open.moving = openToGrowth(open.moving, m, visibility);
-    open.standing = openToGrowth(open.standing, m, visibility);
-    track.hypotheses = updated(open, box, filter, options.lifecycle.nisGate);
+    const Measurement m = alignedWith(
+        sighting.measurement, stateAt(before.state, sighting.lag, options.motion).mean(kHeading));
+    MotionHypotheses hypotheses = before.hypotheses;
+    for (VehicleState* state : {&hypotheses.moving, &hypotheses.standing})
+        *state = grownToACar(*state, m, before.told, visibility);
+    const VehicleState then = stateAt(hypotheses.combined(), sighting.lag, options.motion);
+    BoxMeasurement box =
+        boxThrough(m, faceErrors(m, then, visibility), then.size(), sighting.sensor, visibility);
+    box.lag = sighting.lag;
+    track.nis = innovationOf(then, box).nis();
+    for (VehicleState* state : {&hypotheses.moving, &hypotheses.standing})
+        *state = openToGrowth(*state, broughtTo(*state, m, box.lag, options.motion), visibility);
+    track.hypotheses = updated(hypotheses, box, filter, options.lifecycle.nisGate);
+    track.told = before.told.with(m);
     track.state = track.hypotheses.combined();
     track.measurement = m;
     track.lastMatch = m.match;
@@ -61,7 +80,7 @@ Track sightedTrack(const Track& before, const Sighting& sighting, VehicleKalmanF
     if (track.status == TrackStatus::Coasting || (track.status == TrackStatus::Tentative &&
                                                   track.sightings >= options.lifecycle.confirmHits))
         track.status = TrackStatus::Confirmed;
-    appendToPath(track, sighting.time, box.box.head<2>());
+    appendToPath(track, sighting.time + sighting.lag, box.box.head<2>());
     return withCheckedHeading(track, sighting, options);
 }
 
@@ -89,6 +108,7 @@ TrackReport reportOf(const Track& track)
     report.height = track.height;
     report.speed = track.state.mean(kSpeed);
     report.yawRate = track.state.yawRate();
+    report.forwardProbability = track.front.forwardProbability();
     report.covariance = track.state.covariance.topLeftCorner<4, 4>();
     const Eigen::Vector2d left = rotation(track.state.mean(kHeading)).col(1);
     report.covariance.topLeftCorner<2, 2>() +=

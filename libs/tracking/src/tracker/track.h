@@ -8,7 +8,9 @@
 #include <optional>
 
 #include "tracker/sighting.h"
+#include "vdamf/tracking/estimation/heading_belief.h"
 #include "vdamf/tracking/estimation/motion_hypotheses.h"
+#include "vdamf/tracking/estimation/start_state.h"
 #include "vdamf/tracking/tracker/tracker.h"
 
 namespace vdamf
@@ -29,30 +31,36 @@ struct Track
     double groundZ = 0.0;
     double height = 0.0;
     int sightings = 0;
-    int misses = 0;              ///< frames since the last sighting
-    double lastSeen = 0.0;       ///< s
-    double lastMatch = 0.0;      ///< response per hit of the last sighting, 1/m
-    bool forwardSeen = false;    ///< it drove forward: the front is known
+    int misses = 0;          ///< frames since the last sighting
+    double lastSeen = 0.0;   ///< s
+    double lastMatch = 0.0;  ///< response per hit of the last sighting, 1/m
+    HeadingBelief front;
+    SizesTold told;
     std::deque<PathPoint> path;  ///< sightings of the last second
     // Of the current frame:
     std::optional<Measurement> measurement;
     std::optional<double> nis;
 
     OrientedBox box() const { return state.box(); }
+    Eigen::Vector2d velocity() const  ///< of the centre, world, m/s
+    {
+        return rotation(state.mean(kHeading)) *
+               Eigen::Vector2d(state.mean(kSpeed), state.mean(kAxis) * state.yawRate());
+    }
     double lengthSigma() const { return std::sqrt(state.covariance(kLength, kLength)); }
     double widthSigma() const { return std::sqrt(state.widthVariance); }
 };
 
 /// A new track from its first sighting.
-Track startedTrack(std::uint64_t id, const Sighting& sighting, const TrackerOptions& options);
+Track startedTrack(std::uint64_t id, const Sighting& sighting, const StartSpeed& speed,
+                   const TrackerOptions& options);
 
 /// The track after a sighting: visibility correction, Kalman update, heading checks.
 Track sightedTrack(const Track& track, const Sighting& sighting, VehicleKalmanFilter& filter,
                    const TrackerOptions& options);
 
-/// The track with its front where path and shape say it is: exchanged with the rear when it drives
-/// backwards for long, turned by a quarter when it drives across its heading or is wider than any
-/// vehicle's end. `sighting` is the one that was just taken in.
+/// The track with its front where path and sizes say it is: exchanged with the rear or turned by a
+/// quarter once the odds for that are high. `sighting` is the one that was just taken in.
 Track withCheckedHeading(const Track& track, const Sighting& sighting,
                          const TrackerOptions& options);
 

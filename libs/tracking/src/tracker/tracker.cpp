@@ -6,6 +6,8 @@
 #include <stdexcept>
 
 #include "association/plane_index.h"
+#include "tracker/new_sightings.h"
+#include "tracker/one_time.h"
 #include "tracker/track.h"
 #include "vdamf/tracking/preprocessing/range_profile.h"
 
@@ -89,7 +91,7 @@ private:
         for (const Track& track : tracks_)
         {
             all.push_back({relativeTo(track.box(), origin), positionSigma(track),
-                           track.lengthSigma(), track.widthSigma()});
+                           track.lengthSigma(), track.widthSigma(), track.velocity()});
         }
         return all;
     }
@@ -110,17 +112,19 @@ private:
     {
         constexpr double kVague = 0.3;      // m
         constexpr double kPoorMatch = 0.6;  // of the last one
-        const Hits hits = hitsOf(frame, clusters);
-        const OrientedBox start = relativeTo(track.box(), frame.origin);
+        const HitsAtOneTime seen = hitsAtOneTime(frame, clusters, motionOf(track.state, frame),
+                                                 options_.measurement.mergeCell);
+        const OrientedBox start =
+            relativeTo(stateAt(track.state, seen.lag, options_.motion).box(), frame.origin);
         const auto from = [&](const OrientedBox& box)
         {
-            return sightingOf(frame, clusters, hits, box,
+            return sightingOf(frame, clusters, seen, box,
                               Eigen::Vector2d(start.length, start.width), options_.measurement);
         };
         Sighting best = from(start);
         if (positionSigma(track) < kVague && best.measurement.match > kPoorMatch * track.lastMatch)
             return best;
-        Sighting other = from(movedOntoHits(start, hits, frame.sensorInFrame()));
+        Sighting other = from(movedOntoHits(start, seen.hits, frame.sensorInFrame()));
         return other.measurement.match > best.measurement.match ? other : best;
     }
 
@@ -158,25 +162,9 @@ private:
         std::vector<bool> claimed(frame.clusters.size(), false);
         for (const auto& taken : assignment)
             for (const std::size_t i : taken) claimed[i] = true;
-        for (std::size_t i = 0; i < frame.clusters.size(); ++i)
-        {
-            const Hits& hits = frame.hits[i];
-            if (claimed[i] || !mayStart(frame.clusters[i], hits)) continue;
-            const OrientedBox start =
-                startBox(hits, frame.sensorInFrame(), widestEnd(heightOf(frame.clusters[i])),
-                         options_.measurement.fit);
-            if (std::hypot(start.length, start.width) > options_.lifecycle.maxExtent) continue;
-            const Sighting s =
-                sightingOf(frame, {i}, hits, start, std::nullopt, options_.measurement);
-            tracks_.push_back(startedTrack(nextId_++, s, options_));
-        }
-    }
-
-    bool mayStart(const Cluster& cluster, const Hits& hits) const
-    {
-        const LifecycleOptions& o = options_.lifecycle;
-        if (hits.totalWeight < o.minHits) return false;
-        return heightOf(cluster) >= o.minHeight;
+        const StartSpeed speed{0.0, options_.lifecycle.startSpeedSigma};
+        for (const Sighting& s : newSightings(frame, claimed, options_))
+            tracks_.push_back(startedTrack(nextId_++, s, speed, options_));
     }
 
     // Two tracks on one object: the older one stays.

@@ -6,11 +6,33 @@
 
 namespace vdamf
 {
-/// State from a first measurement: at rest, give or take `speedSigma` (m/s); the axle at its prior.
+/// What is known of a new vehicle's speed along its heading, m/s.
+struct StartSpeed
+{
+    double mean = 0.0;
+    double sigma = 16.0;
+};
+
+/// State from a first measurement, with the axle at its prior.
 /// Sizes are those measured, after a car's where that fits (assumeVehicleSize). World frame, also
 /// for the sensor.
 VehicleState startState(const Measurement& measurement, const Eigen::Vector2d& sensor,
-                        double speedSigma, const VisibilityOptions& visibility,
+                        const StartSpeed& speed, const VisibilityOptions& visibility,
                         const MotionOptions& motion);
+
+/// Which sizes of a vehicle have been seen from end to end.
+struct SizesTold
+{
+    bool length = false;
+    bool width = false;
+
+    SizesTold with(const Measurement& measurement) const;
+};
+
+/// The predicted state, with a size that was never told taken from a car once the other one, as
+/// measured now, is a car's: what was first seen in part, as behind a pole, may show only later
+/// that it is a vehicle. The face that is seen stays; centre and axle move with the other one.
+VehicleState grownToACar(const VehicleState& predicted, const Measurement& measurement,
+                         const SizesTold& told, const VisibilityOptions& options);
 
 }  // namespace vdamf

@@ -15,7 +15,7 @@ namespace vdamf
 {
 struct MotionOptions
 {
-    double accelerationSigma = 1.5;           ///< m/s^2
+    double accelerationSigma = 1.5;           ///< m/s^2, held for 0.1 s
     double maxCurvatureRate = 0.25;           ///< 1/(m s)
     double lateralJerk = 3.0;                 ///< m/s^3
     double slipSigma = 0.02;                  ///< m/sqrt(s)
@@ -63,7 +63,8 @@ StateVector predictState(const StateVector& state, double dt, const MotionOption
 /// d predictState / d state.
 StateMatrix transitionJacobian(const StateVector& state, double dt, const MotionOptions& options);
 
-/// Covariance of the process noise over dt seconds from `state`.
+/// Covariance of the process noise over dt seconds from `state` (negative: of what led there). Of
+/// white changes of speed and curvature, so that many short steps add up to a long one.
 StateMatrix processNoise(const StateVector& state, double dt, const MotionOptions& options);
 
 /// The state with its heading wrapped and curvature, axis offset and size within their bounds:

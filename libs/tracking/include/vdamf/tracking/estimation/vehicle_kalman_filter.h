@@ -20,7 +20,13 @@ struct BoxMeasurement
     /// The point of the box that it holds best: +-1 at the faces, 0 in the middle, along the length
     /// and the width.
     Eigen::Vector2d fixedPoint = Eigen::Vector2d::Zero();
+    /// It holds this much later than the state that it is held against, s: a turning scanner sees
+    /// each target at a time of its own.
+    double lag = 0.0;
 };
+
+/// What is known of the state `dt` seconds later (or, where negative, earlier).
+VehicleState stateAt(const VehicleState& state, double dt, const MotionOptions& options);
 
 /// The measurement after another source's word on one of its rows.
 BoxMeasurement withKnown(const BoxMeasurement& measurement, Eigen::Index row, double value,
@@ -39,7 +45,9 @@ public:
 
     /// The state `dt` seconds later.
     VehicleState predict(const VehicleState& state, double dt);
+    /// The state after a measurement of what it will be `measurement.lag` seconds later.
     VehicleState update(const VehicleState& state, const BoxMeasurement& measurement);
+    const MotionOptions& options() const;
 
 private:
     class Engine;
@@ -47,7 +55,7 @@ private:
 };
 
 /// How a measurement sits with a predicted state, judged by what it tells best: place of its fixed
-/// point and heading, 3 degrees of freedom.
+/// point and heading, 3 degrees of freedom. The state is that at the measurement's own time.
 struct Innovation
 {
     Eigen::Vector3d value = Eigen::Vector3d::Zero();  ///< heading wrapped

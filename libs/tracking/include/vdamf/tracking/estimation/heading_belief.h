@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Which of the four faces of a box is the vehicle's front: four hypotheses with probabilities.
+//
+// A box fits as well with front and rear exchanged, and often with length and width exchanged. What
+// decides is gathered over frames: the way a vehicle moves and the sizes that ends and sides have.
+// One frame never does, so that headings do not flip.
+#pragma once
+
+#include <array>
+#include <optional>
+
+namespace vdamf
+{
+/// What one frame tells of the front.
+struct HeadingCues
+{
+    double dt = 0.1;  ///< s since the frame before
+    /// Straight motion over the last second, where it is clear: direction from the heading that is
+    /// held, counter-clockwise (rad), and speed (m/s).
+    struct Course
+    {
+        double direction = 0.0;
+        double speed = 0.0;
+    };
+    std::optional<Course> course;
+    std::optional<double> length;  ///< m, where both its ends are seen
+    std::optional<double> width;   ///< m, where both its ends are seen
+    double widestEnd = 2.2;        ///< m, from which on a face is rather a side than an end
+};
+
+class HeadingBelief
+{
+public:
+    /// Nothing is known of front and rear; length and width are likelier right than exchanged.
+    HeadingBelief() = default;
+
+    HeadingBelief after(const HeadingCues& cues) const;
+
+    /// Counter-clockwise quarter turns from the heading held to the likeliest one, if its log odds
+    /// against that held are above `logOdds`; else 0.
+    int turnDue(double logOdds) const;
+
+    /// The same belief, told from a heading turned counter-clockwise by quarter turns.
+    HeadingBelief turned(int quarters) const;
+
+    /// That the heading points to the front rather than to the rear.
+    double forwardProbability() const;
+    /// That length and width are not exchanged.
+    double axesProbability() const;
+
+private:
+    /// Log of the probability that the front lies k quarter turns ahead, but for a constant.
+    std::array<double, 4> log_{0.0, -2.0, 0.0, -2.0};
+};
+
+}  // namespace vdamf

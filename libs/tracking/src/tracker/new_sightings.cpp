@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tracker/new_sightings.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tracker/one_time.h"
+
+namespace vdamf
+{
+namespace
+{
+constexpr double kAtSeam = 0.002;    // s, from the begin or the end of a revolution
+constexpr double kSeamMotion = 4.5;  // m, along the line of sight, of a fast target in a revolution
+
+bool mayStart(const SegmentedFrame& frame, std::size_t i, const LifecycleOptions& options)
+{
+    return frame.hits[i].totalWeight >= options.minHits &&
+           heightOf(frame.clusters[i]) >= options.minHeight;
+}
+
+// Times of the first and the last hit, s; equal where hits have no times.
+struct TimeRange
+{
+    float first = 0.0F;
+    float last = 0.0F;
+};
+
+TimeRange timesOf(const Cluster& cluster)
+{
+    if (cluster.time.empty()) return {};
+    const auto [first, last] = std::minmax_element(cluster.time.begin(), cluster.time.end());
+    return {*first, *last};
+}
+
+TimeRange timesOf(const SegmentedFrame& frame)
+{
+    TimeRange all{1e9F, -1e9F};
+    for (const Cluster& cluster : frame.clusters)
+    {
+        const TimeRange one = timesOf(cluster);
+        all.first = std::min(all.first, one.first);
+        all.last = std::max(all.last, one.last);
+    }
+    return all;
+}
+
+Eigen::Vector2d middleOf(const Hits& hits)
+{
+    Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+    for (std::size_t i = 0; i < hits.size(); ++i)
+        sum += hits.weight[i] * Eigen::Vector2d(hits.x[i], hits.y[i]);
+    return sum / hits.totalWeight;
+}
+
+double rangeOf(const SegmentedFrame& frame, std::size_t i)
+{
+    return (middleOf(frame.hits[i]) - frame.sensorInFrame()).norm();
+}
+
+// Clusters that end at the seam, before it (late) and behind it (early).
+struct Seam
+{
+    std::vector<std::size_t> early, late;
+};
+
+Seam seamOf(const SegmentedFrame& frame, const std::vector<std::size_t>& free)
+{
+    const TimeRange all = timesOf(frame);
+    Seam seam;
+    for (const std::size_t i : free)
+    {
+        const TimeRange one = timesOf(frame.clusters[i]);
+        if (one.last - one.first > 0.5F * (all.last - all.first)) continue;
+        if (one.first < all.first + kAtSeam)
+            seam.early.push_back(i);
+        else if (one.last > all.last - kAtSeam)
+            seam.late.push_back(i);
+    }
+    return seam;
+}
+
+constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+
+// For each cluster the one that it continues beyond the seam, or kNone.
+std::vector<std::size_t> partners(const SegmentedFrame& frame, const std::vector<std::size_t>& free)
+{
+    std::vector<std::size_t> partner(frame.clusters.size(), kNone);
+    const Seam seam = seamOf(frame, free);
+    for (const std::size_t i : seam.early)
+        for (const std::size_t j : seam.late)
+        {
+            const bool near = std::abs(rangeOf(frame, i) - rangeOf(frame, j)) < kSeamMotion;
+            if (!near || partner[i] != kNone || partner[j] != kNone) continue;
+            partner[i] = j;
+            partner[j] = i;
+        }
+    return partner;
+}
+}  // namespace
+
+std::vector<Sighting> newSightings(const SegmentedFrame& frame, const std::vector<bool>& claimed,
+                                   const TrackerOptions& options)
+{
+    std::vector<std::size_t> free;
+    for (std::size_t i = 0; i < frame.clusters.size(); ++i)
+        if (!claimed[i]) free.push_back(i);
+    const std::vector<std::size_t> partner = partners(frame, free);
+    TargetMotion unknown;
+    unknown.speedSigma = options.lifecycle.startSpeedSigma;
+    std::vector<Sighting> all;
+    for (const std::size_t i : free)
+    {
+        const std::size_t other = partner[i];
+        const bool isSmaller =
+            other != kNone &&
+            (frame.hits[other].totalWeight > frame.hits[i].totalWeight ||
+             (frame.hits[other].totalWeight == frame.hits[i].totalWeight && other < i));
+        if (isSmaller || !mayStart(frame, i, options.lifecycle)) continue;
+        HitsAtOneTime seen = hitsAtOneTime(frame, {i}, unknown, options.measurement.mergeCell);
+        if (other != kNone) seen.goesOn = middleOf(frame.hits[other]);
+        const OrientedBox start =
+            startBox(seen.hits, frame.sensorInFrame(), widestEnd(heightOf(frame.clusters[i])),
+                     options.measurement.fit);
+        if (std::hypot(start.length, start.width) > options.lifecycle.maxExtent) continue;
+        all.push_back(sightingOf(frame, {i}, seen, start, std::nullopt, options.measurement));
+    }
+    return all;
+}
+
+}  // namespace vdamf

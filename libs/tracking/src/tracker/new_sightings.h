@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// From the clusters that no track has taken to first sightings of new targets.
+#pragma once
+
+#include <vector>
+
+#include "tracker/sighting.h"
+#include "vdamf/tracking/tracker/tracker.h"
+
+namespace vdamf
+{
+/// One for each cluster not `claimed` that is large enough for a target. Two clusters on both sides
+/// of the seam of a turning scanner's revolution, near enough to be one target that moved between
+/// them, give one sighting, of the larger one.
+std::vector<Sighting> newSightings(const SegmentedFrame& frame, const std::vector<bool>& claimed,
+                                   const TrackerOptions& options);
+
+}  // namespace vdamf

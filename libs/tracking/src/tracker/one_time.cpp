@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tracker/one_time.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace vdamf
+{
+namespace
+{
+constexpr double kSeamGap = 0.03;      // s; nothing else than the seam of revolutions takes longer
+constexpr double kMostDistance = 0.3;  // m, by which parts that are put together may be misplaced
+constexpr double kStill = 0.005;       // m, of motion that needs no correction
+
+struct TimeSpan
+{
+    double first = 1e9;
+    double last = -1e9;
+    double length() const { return last - first; }
+};
+
+Cluster joinedClusters(const SegmentedFrame& frame, const std::vector<std::size_t>& clusters)
+{
+    Cluster all;
+    for (const std::size_t k : clusters)
+    {
+        const Cluster& c = frame.clusters[k];
+        all.x.insert(all.x.end(), c.x.begin(), c.x.end());
+        all.y.insert(all.y.end(), c.y.begin(), c.y.end());
+        all.height.insert(all.height.end(), c.height.begin(), c.height.end());
+        all.time.insert(all.time.end(), c.time.begin(), c.time.end());
+    }
+    return all;
+}
+
+TimeSpan spanOf(const Cluster& cluster)
+{
+    TimeSpan span;
+    for (const float t : cluster.time)
+    {
+        span.first = std::min(span.first, static_cast<double>(t));
+        span.last = std::max(span.last, static_cast<double>(t));
+    }
+    return span;
+}
+
+struct Parts
+{
+    Cluster larger, smaller;
+};
+
+// The hits before and after the middle of the span.
+Parts splitInTime(const Cluster& cluster, const TimeSpan& span)
+{
+    const double middle = 0.5 * (span.first + span.last);
+    Cluster part[2];
+    for (std::size_t i = 0; i < cluster.size(); ++i)
+    {
+        Cluster& to = part[cluster.time[i] < middle ? 0 : 1];
+        to.x.push_back(cluster.x[i]);
+        to.y.push_back(cluster.y[i]);
+        to.height.push_back(cluster.height[i]);
+        to.time.push_back(cluster.time[i]);
+    }
+    const int larger = part[0].size() >= part[1].size() ? 0 : 1;
+    return {std::move(part[larger]), std::move(part[1 - larger])};
+}
+
+Eigen::Vector2d middleOf(const Cluster& cluster)
+{
+    Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+    for (std::size_t i = 0; i < cluster.size(); ++i)
+        sum += Eigen::Vector2d(cluster.x[i], cluster.y[i]);
+    return sum / static_cast<double>(cluster.size());
+}
+
+double meanTime(const Cluster& cluster)
+{
+    double sum = 0.0;
+    for (const float t : cluster.time) sum += t;
+    return sum / static_cast<double>(cluster.size());
+}
+
+Cluster movedTo(double time, Cluster cluster, const TargetMotion& motion)
+{
+    const Eigen::Vector2d centre = motion.centre + time * motion.velocity;
+    for (std::size_t i = 0; i < cluster.size(); ++i)
+    {
+        const double dt = time - cluster.time[i];
+        const double dx = cluster.x[i] - centre.x();
+        const double dy = cluster.y[i] - centre.y();
+        cluster.x[i] += static_cast<float>(dt * (motion.velocity.x() - motion.yawRate * dy));
+        cluster.y[i] += static_cast<float>(dt * (motion.velocity.y() + motion.yawRate * dx));
+    }
+    return cluster;
+}
+}  // namespace
+
+TargetMotion motionOf(const VehicleState& state, const SegmentedFrame& frame)
+{
+    const double v = state.mean(kSpeed);
+    TargetMotion motion;
+    motion.centre = state.mean.head<2>() - frame.origin.head<2>();
+    motion.yawRate = state.yawRate();
+    motion.velocity =
+        rotation(state.mean(kHeading)) * Eigen::Vector2d(v, state.mean(kAxis) * motion.yawRate);
+    motion.speedSigma = std::sqrt(state.covariance(kSpeed, kSpeed));
+    return motion;
+}
+
+HitsAtOneTime hitsAtOneTime(const SegmentedFrame& frame, const std::vector<std::size_t>& clusters,
+                            const TargetMotion& motion, double mergeCell)
+{
+    const bool timed = std::all_of(clusters.begin(), clusters.end(),
+                                   [&](std::size_t k) { return !frame.clusters[k].time.empty(); });
+    if (!timed) return {hitsOf(frame, clusters), 0.0, std::nullopt};
+    Cluster all = joinedClusters(frame, clusters);
+    TimeSpan span = spanOf(all);
+    HitsAtOneTime result;
+    if (span.length() > kSeamGap && motion.speedSigma * span.length() > kMostDistance)
+    {
+        Parts parts = splitInTime(all, span);
+        if (parts.smaller.size() > 0) result.goesOn = middleOf(parts.smaller);
+        all = std::move(parts.larger);
+        span = spanOf(all);
+    }
+    result.lag = meanTime(all);
+    if (motion.velocity.norm() * span.length() > kStill)
+        all = movedTo(result.lag, std::move(all), motion);
+    result.hits = projectHits(all, mergeCell);
+    return result;
+}
+
+}  // namespace vdamf
