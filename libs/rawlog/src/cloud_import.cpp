@@ -12,12 +12,23 @@
 #include "import_writer.h"
 #include "kitti_observations.h"
 #include "natural_order.h"
+#include "vdamf/files/numbers.h"
 
 namespace vdamf
 {
 namespace
 {
 namespace fs = std::filesystem;
+
+/// Names that are numbers as a whole may have a decimal point.
+bool nameBefore(const fs::path& a, const fs::path& b)
+{
+    const auto x = parseNumber(a.stem().string());
+    const auto y = parseNumber(b.stem().string());
+    if (x && y && *x != *y) return *x < *y;
+    if (x.has_value() != y.has_value()) return x.has_value();
+    return naturallyBefore(a.filename().string(), b.filename().string());
+}
 
 std::vector<fs::path> cloudsIn(const fs::path& folder)
 {
@@ -33,9 +44,7 @@ std::vector<fs::path> cloudsIn(const fs::path& folder)
     if (error) throw std::runtime_error(folder.string() + ": cannot list: " + error.message());
     if (clouds.empty())
         throw std::runtime_error(folder.string() + ": holds no .pcd, .ply or .bin file");
-    std::sort(clouds.begin(), clouds.end(),
-              [](const fs::path& a, const fs::path& b)
-              { return naturallyBefore(a.filename().string(), b.filename().string()); });
+    std::sort(clouds.begin(), clouds.end(), nameBefore);
     return clouds;
 }
 
