@@ -125,7 +125,6 @@ TEST(InsTrajectory, KnowsWhenWaitingBringsNothing)
 TEST(InsTrajectory, WithoutPosesThereIsNone)
 {
     InsTrajectory ins{InsOptions{}};
-    ins.insert(test::odometry(0));
     ins.insert(test::pointCloud(2));
     EXPECT_FALSE(ins.at(kStart));
     EXPECT_EQ("", ins.sourceName());

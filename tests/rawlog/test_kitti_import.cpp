@@ -250,7 +250,7 @@ TEST_F(KittiImportTest, KeepsExistingOutputs)
 TEST_F(KittiImportTest, OneFileCannotBeBoth)
 {
     job_.truth = at("out/../out/o.rawlog");
-    EXPECT_THAT(error(), HasSubstr("cannot be the same file"));
+    EXPECT_THAT(error(), HasSubstr("is named for two outputs"));
 }
 
 }  // namespace

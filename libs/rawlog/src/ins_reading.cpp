@@ -3,6 +3,7 @@
 
 #include <mrpt/core/Clock.h>
 #include <mrpt/obs/CObservationGPS.h>
+#include <mrpt/obs/CObservationOdometry.h>
 #include <mrpt/obs/CObservationRobotPose.h>
 
 #include <cmath>
@@ -52,6 +53,17 @@ InsReading fromRobotPose(const CObservationRobotPose& observation)
     reading.sensorInVehicle = isometry(observation.sensorPose);
     reading.valid =
         reading.sample.position.allFinite() && reading.sample.attitude->coeffs().allFinite();
+    return reading;
+}
+
+InsReading fromOdometry(const mrpt::obs::CObservationOdometry& observation)
+{
+    const mrpt::poses::CPose2D& pose = observation.odometry;
+    InsReading reading;
+    reading.grade = InsReading::Grade::Odometry;
+    reading.sample.position = {pose.x(), pose.y(), 0.0};
+    reading.sample.attitude = attitudeFrom(pose.phi(), 0.0, 0.0);
+    reading.valid = std::isfinite(pose.x() + pose.y() + pose.phi());
     return reading;
 }
 
@@ -129,6 +141,11 @@ std::optional<InsReading> insReading(const mrpt::obs::CObservation& observation)
     {
         reading = fromGps(*gps);
     }
+    else if (const auto* wheels =
+                 dynamic_cast<const mrpt::obs::CObservationOdometry*>(&observation))
+    {
+        reading = fromOdometry(*wheels);
+    }
     if (!reading) return std::nullopt;
     const bool stamped = observation.timestamp != INVALID_TIMESTAMP;
     if (stamped) reading->sample.time = mrpt::Clock::toDouble(observation.timestamp);
@@ -146,6 +163,10 @@ std::string nameOf(InsReading::Grade grade)
             return "CObservationGPS (GGA)";
         case InsReading::Grade::Inspvas:
             return "CObservationGPS (INSPVAS)";
+        case InsReading::Grade::Odometry:
+            return "CObservationOdometry";
+        case InsReading::Grade::Movement:
+            return "CActionCollection";
         case InsReading::Grade::RobotPose:
             return "CObservationRobotPose";
     }

@@ -20,6 +20,8 @@ struct InsReading
         Rmc,       ///< position without height
         Gga,       ///< position
         Inspvas,   ///< position and attitude
+        Odometry,  ///< CObservationOdometry
+        Movement,  ///< of an action
         RobotPose  ///< CObservationRobotPose
     };
 

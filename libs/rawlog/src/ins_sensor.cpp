@@ -33,7 +33,7 @@ void InsSensor::insert(const std::string& label, const InsReading& reading)
     if (label_ && label != *label_) return;
     if (!reading.valid)
     {
-        ++dropped_;
+        ++counts_.impossible;
         return;
     }
     const bool better = reading.grade > grade_ && !fixed_;
@@ -43,14 +43,39 @@ void InsSensor::insert(const std::string& label, const InsReading& reading)
         start(reading);
     }
     if (reading.grade != grade_) return;
-    ++(samples_.insert(inWorld(reading)) ? taken_ : dropped_);
+    take(inWorld(reading));
+}
+
+void InsSensor::take(const PoseSample& sample)
+{
+    constexpr double kClockJump = 1.0;  // s
+    const bool late = !samples_.empty() && sample.time < samples_.newestTime();
+    if (!samples_.insert(sample))
+    {
+        ++counts_.duplicates;
+        return;
+    }
+    if (counts_.taken++ > 0 && sample.time < lastTime_ - kClockJump) ++counts_.timeJumps;
+    counts_.outOfOrder += late ? 1 : 0;
+    lastTime_ = sample.time;
+}
+
+InsReport InsSensor::report() const
+{
+    const InsReport ofSamples = samples_.report();
+    InsReport report = counts_;
+    report.gaps = ofSamples.gaps;
+    report.longestGap = ofSamples.longestGap;
+    report.firstGapAt = ofSamples.firstGapAt;
+    report.imuLessCourse = ofSamples.imuLessCourse;
+    return report;
 }
 
 /// The world begins at this reading.
 void InsSensor::start(const InsReading& reading)
 {
-    samples_ = PoseSamples(options_);
-    taken_ = 0;
+    samples_ = PoseSamples(options_, imu_);
+    counts_.taken = 0;
     grade_ = reading.grade;
     geodeticOrigin_ = reading.geodetic;
     origin_.setZero();
@@ -81,7 +106,8 @@ PoseSample InsSensor::inWorld(const InsReading& reading) const
 
 std::string InsSensor::name() const
 {
-    return label_ ? nameOf(grade_) + " '" + *label_ + "'" : std::string();
+    if (!label_) return {};
+    return nameOf(grade_) + (label_->empty() ? "" : " '" + *label_ + "'");
 }
 
 std::string InsSensor::originText() const

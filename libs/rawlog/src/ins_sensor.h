@@ -4,6 +4,7 @@
 
 #include <mrpt/topography/data_types.h>
 
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -17,7 +18,11 @@ namespace vdamf
 class InsSensor
 {
 public:
-    explicit InsSensor(const InsOptions& options) : options_(options), samples_(options) {}
+    /// `imu`: attitudes for readings without one; null: none.
+    explicit InsSensor(const InsOptions& options, std::shared_ptr<const ImuAttitudes> imu = nullptr)
+        : options_(options), imu_(imu), samples_(options, std::move(imu))
+    {
+    }
 
     void insert(const std::string& label, const InsReading& reading);
     void fix() { fixed_ = true; }
@@ -25,23 +30,26 @@ public:
     const PoseSamples& samples() const { return samples_; }
     void forgetBefore(double time) { samples_.forgetBefore(time); }
     std::string name() const;
+    /// True where its readings are positions alone.
+    bool lacksAttitude() const { return label_ && grade_ <= InsReading::Grade::Gga; }
     std::string originText() const;
-    std::size_t taken() const { return taken_; }
-    std::size_t dropped() const { return dropped_; }
+    InsReport report() const;
 
 private:
+    void take(const PoseSample& sample);
     void start(const InsReading& reading);
     PoseSample inWorld(const InsReading& reading) const;
 
     InsOptions options_;
+    std::shared_ptr<const ImuAttitudes> imu_;
     PoseSamples samples_;
     std::optional<std::string> label_;
     InsReading::Grade grade_ = InsReading::Grade::Rmc;
     std::optional<mrpt::topography::TGeodeticCoords> geodeticOrigin_;
     Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();  // of the world, in the source's frame, m
     bool fixed_ = false;
-    std::size_t taken_ = 0;
-    std::size_t dropped_ = 0;
+    InsReport counts_;  // gaps are among the samples
+    double lastTime_ = 0.0;
 };
 
 }  // namespace vdamf

@@ -127,13 +127,12 @@ private:
 
 void checkPaths(const KittiImport& job)
 {
-    if (!job.truth) return;
-    const bool same = sameFile(*job.truth, job.rawlog) ||
-                      sameFile(*job.truth, partialPathOf(job.rawlog)) ||
-                      sameFile(partialPathOf(*job.truth), job.rawlog);
-    if (same)
-        throw std::runtime_error(job.rawlog.string() +
-                                 ": the rawlog and the truth cannot be the same file");
+    std::vector<fs::path> outputs{job.rawlog};
+    if (job.truth) outputs.push_back(*job.truth);
+    checkOutputPaths(outputs,
+                     {{job.drive / "tracklet_labels.xml", "the drive's labels"},
+                      {job.drive / "oxts" / "timestamps.txt", "the drive's times"},
+                      {job.drive / "velodyne_points" / "timestamps.txt", "the drive's times"}});
 }
 
 KittiImportSummary importKittiDrive(const KittiImport& job)

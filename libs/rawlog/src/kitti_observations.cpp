@@ -9,11 +9,6 @@ namespace vdamf
 {
 namespace
 {
-mrpt::poses::CPose3D toPose3D(const Eigen::Isometry3d& pose)
-{
-    return mrpt::poses::CPose3D(mrpt::math::CMatrixDouble44(pose.matrix()));
-}
-
 // Time of day.
 mrpt::obs::gnss::UTC_time utcTime(mrpt::Clock::time_point time)
 {
@@ -28,6 +23,11 @@ mrpt::obs::gnss::UTC_time utcTime(mrpt::Clock::time_point time)
     return utc;
 }
 }  // namespace
+
+mrpt::poses::CPose3D toPose3D(const Eigen::Isometry3d& pose)
+{
+    return mrpt::poses::CPose3D(mrpt::math::CMatrixDouble44(pose.matrix()));
+}
 
 mrpt::obs::CObservationRobotPose poseObservation(const Eigen::Isometry3d& vehicleInWorld,
                                                  mrpt::Clock::time_point time)

@@ -10,6 +10,8 @@
 
 namespace vdamf
 {
+mrpt::poses::CPose3D toPose3D(const Eigen::Isometry3d& pose);
+
 mrpt::obs::CObservationRobotPose poseObservation(const Eigen::Isometry3d& vehicleInWorld,
                                                  mrpt::Clock::time_point time);
 

@@ -82,6 +82,7 @@ bool PendingEntries::readOne()
     const bool minorCounted = minorCount_;
     PendingEntry pending;
     pending.entry = std::move(*entry);
+    if (pending.entry.movement) ins_.insert(*pending.entry.movement);
     for (const auto& observation : observationsOf(pending.entry))
     {
         if (isAnnotation(*observation)) continue;

@@ -10,6 +10,7 @@ namespace
 {
 // The course at a sample looks back to positions this much older at most.
 constexpr double kCourseMemory = 3.0;
+constexpr double kSoon = 1.0;  // s
 
 bool earlier(const PoseSample& sample, double time)
 {
@@ -36,6 +37,15 @@ double headingOf(const Eigen::Vector3d& direction)
     return std::atan2(direction.y(), direction.x());
 }
 
+/// Adds the gap between two samples that follow each other, where it is one.
+void addGap(InsReport& report, const PoseSample& a, const PoseSample& b, double longestBridged)
+{
+    const double gap = b.time - a.time;
+    if (gap <= longestBridged) return;
+    if (report.gaps++ == 0) report.firstGapAt = a.time;
+    report.longestGap = std::max(report.longestGap, gap);
+}
+
 Eigen::Quaterniond fromHeading(double heading)
 {
     return Eigen::Quaterniond(Eigen::AngleAxisd(heading, Eigen::Vector3d::UnitZ()));
@@ -50,7 +60,11 @@ bool PoseSamples::insert(const PoseSample& sample)
     samples_.insert(place, sample);
     if (newest && !sample.attitude)
     {
-        if (const auto course = courseOf(samples_.size() - 1)) lastCourse_ = course;
+        if (const auto course = courseOf(samples_.size() - 1))
+        {
+            lastCourse_ = course;
+            compareWithCourse(*course);
+        }
     }
     return true;
 }
@@ -61,8 +75,33 @@ void PoseSamples::forgetBefore(double time)
     while (samples_.size() > 3 && samples_[3].time < time &&
            (samples_.front().attitude || samples_.front().time < time - kCourseMemory))
     {
+        addGap(forgotten_, samples_[0], samples_[1], options_.maxGap);
         samples_.pop_front();
     }
+}
+
+bool PoseSamples::covers(double time) const
+{
+    const auto place = std::lower_bound(samples_.begin(), samples_.end(), time, earlier);
+    return place != samples_.end() && place->time <= time + std::max(kSoon, options_.maxGap);
+}
+
+void PoseSamples::compareWithCourse(double course)
+{
+    const auto attitude = imu_ ? imu_->at(samples_.back().time) : std::nullopt;
+    if (!attitude) return;
+    const double difference = headingOf(*attitude * Eigen::Vector3d::UnitX()) - course;
+    imuLessCourse_ += Eigen::Vector2d(std::cos(difference), std::sin(difference));
+}
+
+InsReport PoseSamples::report() const
+{
+    InsReport report = forgotten_;
+    for (std::size_t i = 1; i < samples_.size(); ++i)
+        addGap(report, samples_[i - 1], samples_[i], options_.maxGap);
+    if (!imuLessCourse_.isZero())
+        report.imuLessCourse = std::atan2(imuLessCourse_.y(), imuLessCourse_.x());
+    return report;
 }
 
 /// Whether the interval before sample i is one to look across.
@@ -155,6 +194,11 @@ Eigen::Vector3d PoseSamples::velocityOf(std::size_t i) const
 std::optional<Eigen::Quaterniond> PoseSamples::attitudeOf(std::size_t i) const
 {
     if (samples_[i].attitude) return samples_[i].attitude;
+    if (imu_)
+    {
+        if (const auto attitude = imu_->at(samples_[i].time)) return attitude;
+    }
+    if (options_.gpsHeading == GpsHeading::Imu) return std::nullopt;
     const auto course = courseOf(i);
     if (course) return fromHeading(*course);
     if (lastCourse_) return fromHeading(*lastCourse_);

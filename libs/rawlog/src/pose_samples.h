@@ -4,8 +4,10 @@
 
 #include <Eigen/Geometry>
 #include <deque>
+#include <memory>
 #include <optional>
 
+#include "imu_attitudes.h"
 #include "vdamf/rawlog/ins_trajectory.h"
 
 namespace vdamf
@@ -22,15 +24,23 @@ struct PoseSample
 class PoseSamples
 {
 public:
-    explicit PoseSamples(const InsOptions& options) : options_(options) {}
+    /// `imu`: attitudes for samples without one; null: none.
+    PoseSamples(const InsOptions& options, std::shared_ptr<const ImuAttitudes> imu)
+        : options_(options), imu_(std::move(imu))
+    {
+    }
 
     /// False for a time that is there already.
     bool insert(const PoseSample& sample);
     std::optional<VehiclePose> at(double time) const;
     bool empty() const { return samples_.empty(); }
-    bool covers(double time) const { return !empty() && samples_.back().time >= time; }
+    /// A sample stands at the time or soon behind it. One with a time far ahead says nothing.
+    bool covers(double time) const;
+    double newestTime() const { return samples_.back().time; }
     /// Keeps what at() needs from this time on.
     void forgetBefore(double time);
+    /// `gaps` and what goes with them, `imuLessCourse`.
+    InsReport report() const;
 
 private:
     bool connected(std::size_t i) const;
@@ -44,9 +54,14 @@ private:
     VehiclePose poseOf(double time, const Eigen::Vector3d& position,
                        const Eigen::Quaterniond& attitude, std::size_t like) const;
 
+    void compareWithCourse(double course);
+
     InsOptions options_;
+    std::shared_ptr<const ImuAttitudes> imu_;
     std::deque<PoseSample> samples_;
     std::optional<double> lastCourse_;  // of the newest sample that had one, for standstill
+    InsReport forgotten_;               // of what is no more among samples_
+    Eigen::Vector2d imuLessCourse_ = Eigen::Vector2d::Zero();  // sum of unit vectors
 };
 
 }  // namespace vdamf

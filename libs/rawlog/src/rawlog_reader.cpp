@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "action_extent.h"
+#include "action_movement.h"
 #include "entry_window.h"
 #include "object_header.h"
 #include "object_parser.h"
@@ -155,7 +156,12 @@ struct RawlogReader::Impl
     RawlogEntry readAction(const ObjectHeader& header)
     {
         const ActionExtent extent = actionExtent(window, header);
-        if (extent.whole) return take(RawlogEntry::Kind::Action, extent.bytes);
+        if (extent.whole)
+        {
+            RawlogEntry entry = take(RawlogEntry::Kind::Action, extent.bytes);
+            entry.movement = movementOf(entry.bytes);
+            return entry;
+        }
         if (extent.reachedEnd) endsInside = header.className;
         return skip(RawlogEntry::Kind::Damaged, header.className + ": without its end");
     }

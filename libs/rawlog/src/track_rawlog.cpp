@@ -181,6 +181,7 @@ private:
         summary_.interrupted = interrupted;
         summary_.read = reader_.summary();
         summary_.insSource = ins_.sourceName();
+        summary_.ins = ins_.report();
         summary_.tracksConfirmed = confirmed_.size();
         summary_.nis = nis_.report();
         if (summary_.frames > 0) outputs_.write(summary_.nis);

@@ -150,7 +150,8 @@ private:
     const std::vector<VelodyneFiring>& firings_;
 };
 
-/// The nominal elevations, so that MRPT's own tools can draw the scan.
+}  // namespace
+
 mrpt::obs::VelodyneCalibration nominalCalibration(VelodyneModel model)
 {
     mrpt::obs::VelodyneCalibration result;
@@ -164,7 +165,6 @@ mrpt::obs::VelodyneCalibration nominalCalibration(VelodyneModel model)
     }
     return result;
 }
-}  // namespace
 
 Scan encodeVelodyne(VelodyneModel model, double time, const std::vector<VelodyneFiring>& firings)
 {

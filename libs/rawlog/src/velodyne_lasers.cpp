@@ -84,6 +84,7 @@ VelodyneLaser calibrated(const Calibration& laser, double unit)
 
 VelodyneModel velodyneModelOf(const Scan& scan)
 {
+    if (scan.scan_packets.empty()) throw std::runtime_error("it has no packets");
     // The HDL-64E has a changing status byte where the others tell their model.
     if (hasLowerBlocks(scan)) return VelodyneModel::HDL64E;
     const std::uint8_t model = VelodynePacketView(scan.scan_packets.front()).model();

@@ -19,10 +19,6 @@ struct VelodyneLaser
     double horizontalOffset = 0.0;  ///< across the beam, to the left, m
 };
 
-/// The model that recorded the packets (there is at least one). Throws std::runtime_error where
-/// the sensor is none of those known.
-VelodyneModel velodyneModelOf(const mrpt::obs::CObservationVelodyneScan& scan);
-
 /// One for each laser of the model in packet order: from the scan's calibration, else nominal.
 /// Throws std::runtime_error where the calibration is that of another sensor.
 std::vector<VelodyneLaser> velodyneLasers(const mrpt::obs::CObservationVelodyneScan& scan,

@@ -34,7 +34,8 @@ struct KittiImportSummary
     bool stopped = false;               ///< by `progress`; nothing was written
 };
 
-/// Throws std::runtime_error where both outputs are one file. importKittiDrive() checks it too,
+/// Throws std::runtime_error where an output is an input or both are one file. importKittiDrive()
+/// checks it too,
 /// before it opens any output.
 void checkPaths(const KittiImport& job);
 

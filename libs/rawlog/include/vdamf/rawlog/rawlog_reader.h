@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "vdamf/rawlog/vehicle_movement.h"
+
 namespace vdamf
 {
 /// One top-level object of a rawlog.
@@ -28,6 +30,7 @@ struct RawlogEntry
     Kind kind = Kind::Object;
     std::string bytes;                               ///< as they stand in the (uncompressed) file
     mrpt::serialization::CSerializable::Ptr object;  ///< null unless kind is Object
+    std::optional<VehicleMovement> movement;         ///< of an Action that tells one
     std::uint64_t offset = 0;                        ///< of the first byte, uncompressed
     std::string problem;                             ///< why, for Unknown and Damaged
 };

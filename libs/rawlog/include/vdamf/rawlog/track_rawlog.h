@@ -58,6 +58,7 @@ struct TrackRawlogSummary
     std::uint64_t tracksConfirmed = 0;       ///< different identities that were confirmed
     double firstTime = 0.0, lastTime = 0.0;  ///< of the frames, s (UNIX)
     std::string insSource;
+    InsReport ins;  ///< what became of its samples
     /// Seconds spent: reading (with parsing), scan to world frame, the tracker's stages, writing.
     double readSeconds = 0.0, frameSeconds = 0.0, writeSeconds = 0.0;
     std::array<double, 7> stageSeconds{};  ///< by Stage

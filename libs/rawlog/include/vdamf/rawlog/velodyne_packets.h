@@ -34,6 +34,13 @@ double durationOf(const mrpt::obs::CObservationVelodyneScan& scan);
 /// Elevation of each laser in the order of the packet, rad.
 const std::vector<double>& laserElevations(VelodyneModel model);
 
+/// The nominal elevations as a calibration, so that MRPT's own tools can draw the scan.
+mrpt::obs::VelodyneCalibration nominalCalibration(VelodyneModel model);
+
+/// The model that recorded the packets. Throws std::runtime_error where there are none, or the
+/// sensor is none of those known.
+VelodyneModel velodyneModelOf(const mrpt::obs::CObservationVelodyneScan& scan);
+
 /// One firing of all lasers of a sensor.
 struct VelodyneFiring
 {

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "import_command.h"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <stdexcept>
+#include <system_error>
+
+#include "vdamf/tracking/types/geometry.h"
+
+namespace vdamf
+{
+namespace
+{
+volatile std::sig_atomic_t stopRequested = 0;
+
+void requestStop(int /*signal*/)
+{
+    stopRequested = 1;
+}
+}  // namespace
+
+void ImportCommand::declareOutput(CLI::App& command)
+{
+    command.add_option("-o,--output", rawlog_, "Rawlog to write")->required();
+    command.add_flag("--overwrite", overwrite_, "Replace existing outputs");
+    command.add_option("--gz-level", gzLevel_, "Compression, 0 (none) to 9")
+        ->check(CLI::Range(0, 9))
+        ->capture_default_str();
+}
+
+ImportOutput ImportCommand::output() const
+{
+    refuseDash(rawlog_);
+    ImportOutput output;
+    output.rawlog = rawlog_;
+    output.existing = overwrite_ ? OutputFile::Existing::Overwrite : OutputFile::Existing::Refuse;
+    output.gzLevel = gzLevel_;
+    output.progress = showProgress;
+    return output;
+}
+
+std::FILE* ImportCommand::summaryStream(const std::vector<std::filesystem::path>& others) const
+{
+    bool taken = isStandardOutput(rawlog_);
+    for (const std::filesystem::path& other : others) taken = taken || isStandardOutput(other);
+    return taken ? stderr : stdout;
+}
+
+void ImportCommand::finishSummary(std::FILE* to, std::size_t scans, double seconds) const
+{
+    std::error_code ignored;
+    const std::uintmax_t bytes = std::filesystem::file_size(rawlog_, ignored);
+    if (!ignored) std::fprintf(to, "  size        %.1f MB\n", static_cast<double>(bytes) / 1e6);
+    std::fprintf(to, "  time taken  %.1f s (%.1f frames/s)\n", seconds,
+                 static_cast<double>(scans) / seconds);
+    // A full disk or a closed pipe shows itself at the latest here.
+    errno = 0;
+    if (std::fflush(to) == 0 && std::ferror(to) == 0) return;
+    throw std::runtime_error("cannot write to the standard output: " +
+                             std::system_category().message(errno != 0 ? errno : EIO));
+}
+
+void refuseDash(const std::filesystem::path& output)
+{
+    if (output == "-")
+        throw std::invalid_argument(
+            "'-' is no file: for the standard output name /dev/stdout (or ./- for a file of this "
+            "name)");
+}
+
+Eigen::Isometry3d sensorPoseFrom(const std::vector<double>& n)
+{
+    Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+    if (n.empty()) return pose;
+    constexpr double kRadian = kPi / 180.0;
+    pose.translation() = Eigen::Vector3d(n.at(0), n.at(1), n.at(2));
+    pose.linear() = (Eigen::AngleAxisd(n.at(3) * kRadian, Eigen::Vector3d::UnitZ()) *
+                     Eigen::AngleAxisd(n.at(4) * kRadian, Eigen::Vector3d::UnitY()) *
+                     Eigen::AngleAxisd(n.at(5) * kRadian, Eigen::Vector3d::UnitX()))
+                        .toRotationMatrix();
+    if (!pose.matrix().allFinite())
+        throw std::invalid_argument("--sensor-pose: expected six finite numbers");
+    return pose;
+}
+
+bool showProgress(std::size_t scans, double share)
+{
+    const bool stops = stopRequested != 0;
+    if (isatty(STDERR_FILENO) != 0)
+        std::fprintf(stderr, "\rscan %zu, %3.0f %%%s", scans, 100.0 * share,
+                     share >= 1.0 || stops ? "\n" : "");
+    return !stops;
+}
+
+int saidInterrupted()
+{
+    std::fprintf(stderr, "vdamf-import: interrupted; no output was kept\n");
+    return kFailed;
+}
+
+void catchSignals()
+{
+    std::signal(SIGINT, requestStop);
+    std::signal(SIGTERM, requestStop);
+}
+
+}  // namespace vdamf

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One subcommand of vdamf-import, and what all of them share.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <Eigen/Geometry>
+#include <cstdio>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "vdamf/rawlog/import_output.h"
+
+namespace vdamf
+{
+constexpr int kDone = 0;
+constexpr int kFailed = 1;
+constexpr int kBadUse = 2;
+
+class ImportCommand
+{
+public:
+    virtual ~ImportCommand() = default;
+    /// Adds the subcommand with its options.
+    virtual CLI::App* declare(CLI::App& app) = 0;
+    /// After parsing: throws std::exception where the options make no job.
+    virtual void prepare() = 0;
+    /// Does the job; the exit code. Throws std::exception where it fails.
+    virtual int run() = 0;
+
+protected:
+    void declareOutput(CLI::App& command);
+    /// The output as asked for. Throws std::invalid_argument for '-'.
+    ImportOutput output() const;
+    /// Where the summary goes: not into the midst of an output.
+    std::FILE* summaryStream(const std::vector<std::filesystem::path>& others = {}) const;
+    /// The last lines of each summary. Throws where the stream cannot be written.
+    void finishSummary(std::FILE* to, std::size_t scans, double seconds) const;
+
+    std::filesystem::path rawlog_;
+
+private:
+    bool overwrite_ = false;
+    int gzLevel_ = 1;
+};
+
+/// Throws std::invalid_argument for '-', which is no file.
+void refuseDash(const std::filesystem::path& output);
+
+/// "x y z yaw pitch roll", m and deg. Throws std::invalid_argument.
+Eigen::Isometry3d sensorPoseFrom(const std::vector<double>& numbers);
+
+/// True as long as no signal asked to stop; shows the progress on a terminal.
+bool showProgress(std::size_t scans, double share);
+int saidInterrupted();
+void catchSignals();
+
+}  // namespace vdamf

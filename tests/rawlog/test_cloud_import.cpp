@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Folders of clouds to rawlogs: order, times, poses.
+#include "vdamf/rawlog/cloud_import.h"
+
+#include <gmock/gmock.h>
+#include <mrpt/obs/CObservationRobotPose.h>
+
+#include <fstream>
+
+#include "../files/temporary_folder.h"
+#include "example_objects.h"
+#include "vdamf/rawlog/scan.h"
+
+namespace vdamf
+{
+namespace
+{
+using ::testing::HasSubstr;
+
+class CloudImportTest : public TemporaryFolder
+{
+protected:
+    CloudImportTest()
+    {
+        std::filesystem::create_directory(at("in"));
+        job_.folder = at("in");
+        job_.output.rawlog = at("o.rawlog");
+        job_.output.existing = OutputFile::Existing::Overwrite;
+    }
+
+    /// A cloud of one hit, at x.
+    void cloud(const std::string& name, double x, const std::string& time = "") const
+    {
+        std::ofstream file(at("in") / name);
+        file << "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\n"
+                "property float z\n"
+             << (time.empty() ? "" : "property double time\n") << "end_header\n";
+        for (int i = 0; i < 2; ++i)
+            file << x << " " << i << " 1 " << (time.empty() ? "" : i == 0 ? "0" : time) << "\n";
+    }
+
+    std::vector<Scan> scans() const
+    {
+        RawlogReader reader(job_.output.rawlog);
+        std::vector<Scan> all;
+        for (const RawlogEntry& entry : test::entriesOf(reader))
+        {
+            const auto one = std::dynamic_pointer_cast<mrpt::obs::CObservation>(entry.object);
+            if (one && isScan(*one)) all.push_back(*scanFrom(*one));
+        }
+        return all;
+    }
+
+    std::string error()
+    {
+        try
+        {
+            importClouds(job_);
+        }
+        catch (const std::runtime_error& failure)
+        {
+            return failure.what();
+        }
+        return "none";
+    }
+
+    CloudImport job_;
+};
+
+TEST_F(CloudImportTest, NamesAreSortedByTheirNumbers)
+{
+    cloud("scan_10.ply", 10);
+    cloud("scan_9.ply", 9);
+    cloud("scan_008.ply", 8);
+    job_.rate = 5.0;
+    const CloudImportSummary summary = importClouds(job_);
+    EXPECT_EQ(summary.scans, 3U);
+    EXPECT_EQ(summary.points, 6U);
+    const auto all = scans();
+    ASSERT_EQ(all.size(), 3U);
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+        EXPECT_FLOAT_EQ(all[i].points.x[0], static_cast<float>(8 + i));
+        EXPECT_NEAR(all[i].time, 0.2 * static_cast<double>(i), 1e-6);
+    }
+}
+
+TEST_F(CloudImportTest, TimesAreFromAFileOrNamesOrPoses)
+{
+    cloud("1700000000.25.ply", 1);
+    cloud("1700000000.5.ply", 2);
+    EXPECT_EQ(importClouds(job_).times, "the names of the files");
+    EXPECT_NEAR(scans().at(0).time, 1700000000.25, 1e-6);
+    job_.poses = make("p.tum", "100 0 0 0 0 0 0 1\n101 1 0 0 0 0 0 1\n");
+    importClouds(job_);
+    EXPECT_NEAR(scans().at(1).time, 101.0, 1e-6);
+    job_.times = make("times.txt", "7.5\n8.5\n");
+    importClouds(job_);
+    EXPECT_NEAR(scans().at(1).time, 8.5, 1e-6);
+    job_.times = make("times.txt", "2011-09-26 13:02:25.5\n2011-09-26 13:02:26.5\n");
+    importClouds(job_);
+    EXPECT_NEAR(scans().at(1).time, 1317042146.5, 1e-6);
+}
+
+TEST_F(CloudImportTest, PosesOfEitherFormat)
+{
+    cloud("1.ply", 1);
+    cloud("2.ply", 2);
+    job_.rate = 10.0;
+    job_.poses = make("kitti.txt", "1 0 0 5 0 1 0 6 0 0 1 7\n0 -1 0 8 1 0 0 9 0 0 1 10\n");
+    job_.sensorInVehicle.translation().z() = 1.5;
+    EXPECT_EQ(importClouds(job_).poses, 2U);
+    RawlogReader reader(job_.output.rawlog);
+    const auto entries = test::entriesOf(reader);
+    ASSERT_EQ(entries.size(), 4U);
+    const auto pose =
+        std::dynamic_pointer_cast<mrpt::obs::CObservationRobotPose>(entries[2].object);
+    ASSERT_TRUE(pose);
+    EXPECT_NEAR(pose->pose.mean.y(), 9.0, 1e-12);
+    EXPECT_NEAR(pose->pose.mean.yaw(), 1.5707963, 1e-6);
+    EXPECT_FLOAT_EQ(scans().at(0).points.z[0], 2.5F);
+}
+
+TEST_F(CloudImportTest, HitsKeepTheirTimes)
+{
+    cloud("1.ply", 1, "0.08");
+    job_.rate = 10.0;
+    EXPECT_TRUE(importClouds(job_).pointTimes);
+    const auto all = scans();
+    ASSERT_EQ(all.at(0).points.time.size(), 2U);
+    EXPECT_NEAR(all[0].points.time[1], 0.08F, 1e-5F);
+    cloud("1.ply", 1, "80");
+    EXPECT_THAT(error(), HasSubstr("span 80"));
+    job_.pointTime = PointTime::Milliseconds;
+    importClouds(job_);
+    EXPECT_NEAR(scans().at(0).points.time[1], 0.08F, 1e-5F);
+}
+
+TEST_F(CloudImportTest, SaysWhatItCannotImport)
+{
+    EXPECT_THAT(error(), HasSubstr("holds no .pcd, .ply or .bin"));
+    cloud("a.ply", 1);
+    cloud("b.ply", 2);
+    EXPECT_THAT(error(), HasSubstr("times of the clouds are not known"));
+    job_.times = make("times.txt", "1\n2\n3\n");
+    EXPECT_THAT(error(), HasSubstr("times.txt: holds 3 times"));
+    job_.times = make("times.txt", "2\n1\n");
+    EXPECT_THAT(error(), HasSubstr("times.txt:2: its time is not later"));
+    job_.times.clear();
+    job_.rate = 10.0;
+    job_.poses = make("p.txt", "1 0 0 5 0 1 0 6 0 0 1 7\n");
+    EXPECT_THAT(error(), HasSubstr("p.txt: holds 1 poses"));
+    job_.poses = make("p.txt", "1 2 3\n");
+    EXPECT_THAT(error(), HasSubstr("p.txt:1: 3 columns; expected 8"));
+    job_.poses = make("p.txt", "1 0 0 0 0 0 0 2\n");
+    EXPECT_THAT(error(), HasSubstr("p.txt:1: qx qy qz qw are no rotation"));
+    job_.poses.clear();
+    make("in/c.ply", "ply\n");
+    EXPECT_THAT(error(), HasSubstr("c.ply:1: no PLY file"));
+    EXPECT_FALSE(std::filesystem::exists(at("o.rawlog")));
+    job_.folder = at("none");
+    EXPECT_THAT(error(), HasSubstr("none: cannot list"));
+}
+
+}  // namespace
+}  // namespace vdamf
