@@ -11,7 +11,7 @@
 
 #include <cmath>
 
-#include "vdamf/evaluation/tables.h"
+#include "vdamf/rawlog/annotation_table.h"
 
 namespace vdamf
 {
@@ -85,7 +85,7 @@ mrpt::obs::CObservationComment headComment(const std::string& version, const std
                                            mrpt::Clock::time_point stamp)
 {
     std::string columns;
-    for (const std::string& c : trackColumns()) columns += (columns.empty() ? "" : ",") + c;
+    for (const std::string& c : annotationColumns()) columns += (columns.empty() ? "" : ",") + c;
     mrpt::obs::CObservationComment comment;
     comment.timestamp = stamp;
     comment.text = "[vdamf]\nversion = " + version +
@@ -117,12 +117,12 @@ std::vector<mrpt::obs::CObservation::Ptr> Annotator::annotate(const FrameResult&
 mrpt::obs::CObservation::Ptr Annotator::table(const FrameResult& frame) const
 {
     auto table = mrpt::obs::CObservationRawDAQ::Create();
-    table->sensorLabel = "vdamf_tracks";
-    table->AIN_channel_count = static_cast<std::uint16_t>(trackColumns().size());
+    table->sensorLabel = kTableLabel;
+    table->AIN_channel_count = static_cast<std::uint16_t>(annotationColumns().size());
     table->AIN_interleaved = true;
     for (const TrackReport& track : frame.tracks)
     {
-        const std::vector<double> row = toNumbers(frame.time, track);
+        const std::vector<double> row = annotationRow(frame.time, track);
         table->AIN_double.insert(table->AIN_double.end(), row.begin(), row.end());
     }
     return table;
