@@ -36,7 +36,7 @@ struct CommandLine
     fs::path output;
     fs::path truth;
     std::string title;
-    int hitsPerFrame = 9000;
+    int hitsPerFrame = 14000;
     double regionFovDegrees = 0.0;
     bool overwrite = false;
     bool quiet = false;

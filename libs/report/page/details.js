@@ -107,14 +107,13 @@ function factsOf(state, track) {
     ["Match", `${track.match[i].toFixed(2)} / m`],
     ["NIS", track.nis[i] === null ? "no update" : track.nis[i].toFixed(2)],
   ];
-  if (state.run.truth) rows.push(["Truth", pair
-      ? `${nameOfObject(state.run.objects[pair.object])}, overlap ${Math.round(100 * pair.overlap)} %`
-      : "no label here"]);
-  const cells = rows.map(([name, value]) => `<td class="soft">${name}</td><td class="left">${
+  const truth = pair ? `On the label ${nameOfObject(state.run.objects[pair.object])}, overlap ${
+      Math.round(100 * pair.overlap)} %` : state.run.truth ? "On no label in this frame" : "";
+  const cells = rows.map(([name, value]) => `<td class="soft">${name}</td><td>${
       escaped(String(value))}</td>`);
   let html = "";
   for (let k = 0; k < cells.length; k += 2) html += `<tr>${cells[k]}${cells[k + 1] ?? ""}</tr>`;
-  return `<table>${html}</table>`;
+  return `<p class="soft">${escaped(truth)}</p><table class="facts">${html}</table>`;
 }
 
 function escaped(text) {

@@ -17,18 +17,21 @@ function drawTrack(context, camera, state, track, i) {
   const box = track.box(i);
   const selected = state.track === track.id;
   const stroke = trackColour(state, track, i);
+  const subdued = isSubdued(state, track, i);
   context.strokeStyle = context.fillStyle = stroke;
-  if (state.layers.trails)
+  if (state.layers.trails && !subdued)
     drawTrail(context, camera, state.run.times, track, i, selected ? Infinity : kTrailSeconds);
   const corners = cornersOf(box);
   pathOf(context, camera, corners);
-  context.globalAlpha = selected ? 0.3 : 0.13;
+  context.globalAlpha = selected ? 0.3 : subdued ? 0.05 : 0.15;
   context.fill();
-  context.globalAlpha = 1;
-  context.lineWidth = selected ? 2.5 : 1.5;
+  context.globalAlpha = subdued ? 0.6 : 1;
+  context.lineWidth = selected ? 2.5 : subdued ? 0.8 : 1.5;
   context.setLineDash(track.status[i] === "coasting" ? [5, 4] : []);
   context.stroke();
   context.setLineDash([]);
+  context.globalAlpha = 1;
+  if (subdued) return;
   if (state.layers.faces) drawFaces(context, camera, corners, track.faces[i]);
   drawFront(context, camera, box, track.speed[i]);
   const large = camera.scale * Math.max(box.length, box.width) > 55;

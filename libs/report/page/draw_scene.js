@@ -101,6 +101,11 @@ function nameOfObject(object) {
                                                                      : `${object.class} ${object.id}`;
 }
 
+/** Whether there is room for the name of a track. */
+function hasLabel(state, camera, track, i) {
+  return !isSubdued(state, track, i) || camera.scale > 16;
+}
+
 /** Rank of a track's label: selected, on a vehicle, moving, the rest. */
 function labelRank(state, track, i) {
   if (state.track === track.id) return 0;

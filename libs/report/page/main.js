@@ -88,6 +88,7 @@ function startControls(state) {
   state.onChange(show);
   themeListeners.push(show);
   if (!state.run.truth) document.querySelector("#colours [value=judged]").remove();
+  if (!state.run.hasProbabilities) document.querySelector("#colours [value=vehicle]").remove();
   show();
 }
 

@@ -67,8 +67,9 @@ class MapView {
       for (const {track, i} of state.run.tracksAt(state.frame)) {
         if (!camera.sees(track.x[i], track.y[i]) && state.track !== track.id) continue;
         drawTrack(context, camera, state, track, i);
-        this.addLabel(track, i, labelOf(state, track, i), trackColour(state, track, i),
-                      labelRank(state, track, i), 0);
+        if (hasLabel(state, camera, track, i))
+          this.addLabel(track, i, labelOf(state, track, i), trackColour(state, track, i),
+                        labelRank(state, track, i), 0);
       }
     }
     const place = state.selectedPlace();

@@ -2,7 +2,7 @@
 // Where the tracker errs, as a list to go through: a click goes there.
 "use strict";
 
-/** By kind, most telling first: title, what it means, colour, row in the line of time. */
+/** By kind, most telling first: title, what it means, colour, row in the line of time (none: not there). */
 const kMistakes = {
   never_found: {title: "Never found", row: 0, colour: "bad",
                 about: "Labelled vehicles that no track was ever on."},
@@ -21,9 +21,9 @@ const kMistakes = {
   speed: {title: "Speed", row: 2, colour: "accent", about: "Wrong by more than 2 m/s."},
   size: {title: "Size", row: 2, colour: "accent",
          about: "Length or width is wrong by more than 1 m."},
-  found_late: {title: "Found late", row: 0, colour: "ignored",
+  found_late: {title: "Found late", colour: "ignored",
                about: "Vehicles that were there for over half a second before the first track."},
-  false_track: {title: "Track on nothing labelled", row: 3, colour: "ignored",
+  false_track: {title: "Track on nothing labelled", colour: "ignored",
                 about: "Bushes, poles, walls: the tracker follows every object of vehicle size, " +
                     "and the discriminator tells which ones are vehicles. Also vehicles that " +
                     "have no label."},

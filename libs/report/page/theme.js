@@ -60,12 +60,21 @@ function trackColour(state, track, i) {
   return identityColour(track.id);
 }
 
+/** Objects that are no vehicle, as far as the colours tell: drawn thin, named only close up. */
+function isSubdued(state, track, i) {
+  if (state.track === track.id) return false;
+  if (state.colours === "judged" && state.run.matches)
+    return judgement(state.run, track, track.frame[i]) !== "right";
+  const p = state.colours === "vehicle" ? track.vehicleProbability(i) : null;
+  return p !== null && p < 0.5;
+}
+
 /** What the colours say: [[colour, text]]. */
 function legendOf(state) {
   if (state.colours === "judged" && state.run.matches)
     return [[colour("good"), "track on a labelled vehicle"],
             [colour("false"), "track on nothing that is labelled"],
-            [colour("ignored"), "track on what does not count"],
+            [colour("ignored"), "track that is not judged: no labels there"],
             [colour("bad"), "labelled vehicle that is missed"],
             [colour("truth"), "label (dashed)"]];
   if (state.colours === "vehicle") {

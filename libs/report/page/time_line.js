@@ -43,6 +43,7 @@ function drawMarks(canvas, state) {
   };
   for (const mistake of run.truth?.mistakes ?? []) {
     const kind = kMistakes[mistake.kind];
+    if (kind.row === undefined) continue;
     row(kind.row * 6, mistake.first, mistake.last, colour(kind.colour), 0.55);
   }
   const track = run.byId.get(state.track);

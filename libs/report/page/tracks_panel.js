@@ -5,19 +5,24 @@
 const kColumns = [
   {name: "Track", value: (t) => t.id},
   {name: "What it is", value: (t) => t.what, left: true},
-  {name: "From", value: (t) => t.from, text: (v) => v.toFixed(1)},
-  {name: "To (s)", value: (t) => t.to, text: (v) => v.toFixed(1)},
+  {name: "There (s)", value: (t) => t.from, text: (v, t) => `${v.toFixed(1)}–${t.to.toFixed(1)}`},
   {name: "m/s", value: (t) => t.speed, text: (v) => v.toFixed(1)},
-  {name: "L × W (m)", value: (t) => t.length,
-   text: (v, t) => `${v.toFixed(1)} × ${t.width.toFixed(1)}`},
+  {name: "Size (m)", value: (t) => t.length,
+   text: (v, t) => `${v.toFixed(1)}×${t.width.toFixed(1)}`},
 ];
 
 /** One row of the list: what a track was over its life. */
 function summaryOf(run, track) {
   const last = track.frame.length - 1;
-  return {track, id: track.id, what: whatIs(run, track), rank: track.follows[0] ? 0 : 1,
+  return {track, id: track.id, what: whatIs(run, track), isVehicle: isVehicle(run, track),
           from: run.times[track.first], to: run.times[track.last],
           speed: meanOf(track.speed), length: track.length[last], width: track.width[last]};
+}
+
+/** Whether a track is for those who look for vehicles: by truth, discriminator, or unknown. */
+function isVehicle(run, track) {
+  const p = track.vehicleProbability(track.frame.length - 1);
+  return track.follows.length > 0 || (p !== null ? p >= 0.5 : !run.truth);
 }
 
 /** By the truth, else by the discriminator. */
@@ -27,7 +32,9 @@ function whatIs(run, track) {
   const p = track.vehicleProbability(track.frame.length - 1);
   if (p !== null) return p >= 0.5 ? `vehicle, ${Math.round(100 * p)} %`
                                   : `no vehicle, ${Math.round(100 * (1 - p))} %`;
-  return run.truth ? "nothing labelled" : "object";
+  if (!run.truth) return "object";
+  return track.frame.some((frame) => run.matches[frame].false.has(track.id)) ? "nothing labelled"
+                                                                             : "not judged";
 }
 
 function fillTracks(panel, state) {
@@ -35,17 +42,26 @@ function fillTracks(panel, state) {
   const rows = run.tracks.filter((track) => track.wasPublished)
       .map((track) => summaryOf(run, track));
   let order = {column: null, sign: 1};
-  const about = paragraph(`${rows.length} objects were tracked. Those not in the scene at this ` +
-                          "time are pale. Click one for its history.");
+  const vehicles = rows.filter((row) => row.isVehicle).length;
+  const about = paragraph(`${rows.length} objects were tracked` + (vehicles < rows.length
+      ? `, ${vehicles} of them ${run.truth ? "labelled vehicles" : "held for vehicles"}. ` : ". ") +
+      "Those not in the scene at this time are pale. Click one for its history.");
+  const others = document.createElement("label");
+  others.className = "soft";
+  others.innerHTML = '<input type="checkbox"> show the other objects too';
+  others.hidden = vehicles === rows.length;
+  others.addEventListener("change", () => fill());
   const table = document.createElement("table");
-  panel.append(about, table);
+  panel.append(about, others, table);
   const fill = () => {
     rows.sort((a, b) => {
-      if (order.column === null) return a.rank - b.rank || a.id - b.id;
+      if (order.column === null) return b.isVehicle - a.isVehicle || a.id - b.id;
       const [u, v] = [order.column.value(a), order.column.value(b)];
       return order.sign * (u < v ? -1 : u > v ? 1 : 0);
     });
-    table.replaceChildren(headOf(order, fill), ...rows.map((row) => rowOf(state, row)));
+    const all = others.firstChild.checked;
+    table.replaceChildren(headOf(order, fill), ...rows.filter((row) => all || row.isVehicle)
+        .map((row) => rowOf(state, row)));
     update();
   };
   const update = () => {

@@ -94,9 +94,15 @@ class View3D {
     const context = contextOf(this.overlay);
     if (!state.layers.labels) return;
     const labels = [];
+    for (const {object, index, i} of state.run.objectsAt(state.frame)) {
+      if (!state.layers.truth || !state.run.matches[state.frame].missed.has(index)) continue;
+      const at = this.pixel(object.x[i], object.y[i], object.z[i] + object.height[i] + 0.3);
+      if (at) labels.push({x: at[0], y: at[1], text: `missed: ${nameOfObject(object)}`,
+                           colour: colour("bad"), rank: 1});
+    }
     for (const {track, i} of state.run.tracksAt(state.frame)) {
       const at = this.pixel(track.x[i], track.y[i], track.z[i] + track.height[i] + 0.3);
-      if (at) labels.push({x: at[0], y: at[1], text: labelOf(state, track, i),
+      if (at && !isSubdued(state, track, i)) labels.push({x: at[0], y: at[1], text: labelOf(state, track, i),
                            colour: trackColour(state, track, i), rank: labelRank(state, track, i)});
     }
     drawLabels(context, labels);

@@ -51,16 +51,17 @@ std::size_t countOf(const std::vector<ShownCluster>& clusters)
     return count;
 }
 
-/// All clusters by one cell, so that near and far ones are thinned alike in space.
+/// Large clusters give way to small ones: the most hits that a cluster may keep falls until all of
+/// them are few enough.
 void thin(std::vector<ShownCluster>& clusters, float cell, std::size_t limit)
 {
-    const std::vector<ShownCluster> all = clusters;
-    const auto apply = [&]
+    constexpr std::size_t kMost = 800;
+    for (std::size_t most = kMost;; most -= most / 5)
     {
-        for (std::size_t i = 0; i < all.size(); ++i)
-            clusters[i].hits = onePerCell(all[i].hits, cell);
-    };
-    for (apply(); countOf(clusters) > limit && cell < kLargestCell; apply()) cell *= kCellGrowth;
+        for (ShownCluster& cluster : clusters) cluster.hits = thinned(cluster.hits, cell, most);
+        constexpr std::size_t kFewest = 5;
+        if (countOf(clusters) <= limit || most <= kFewest) return;
+    }
 }
 
 bool isPublished(const TrackReport& track)

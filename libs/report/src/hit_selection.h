@@ -37,13 +37,13 @@ struct HitSelectionOptions
 {
     GroundOptions ground;
     ClusterOptions clustering;
-    std::size_t hitsPerFrame = 9000;  ///< at most
-    double maxRange = 120.0;          ///< from the sensor, m
+    std::size_t hitsPerFrame = 14000;  ///< at most
+    double maxRange = 120.0;           ///< from the sensor, m
 };
 
 /// Ground removal and clustering as the tracker does them, then thinning: hits in one cell of a
 /// grid count as one, and cells grow until the hits are few enough. Half of the hits are for
-/// clusters on tracks, a third of the rest for the ground.
+/// clusters on tracks, a quarter of the rest for the ground. A cluster keeps some hits always.
 ShownHits selectHits(const LadarFrame& frame, const FrameResult& result,
                      const HitSelectionOptions& options);
 

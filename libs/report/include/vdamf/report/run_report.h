@@ -22,7 +22,7 @@ struct RunReportOptions
 {
     GroundOptions ground;             ///< as in the run: which hits are shown as ground,
     ClusterOptions clustering;        ///< and which as one cluster
-    std::size_t hitsPerFrame = 9000;  ///< shown at most, about 40 kB of page a frame
+    std::size_t hitsPerFrame = 14000;  ///< shown at most, about 60 kB of page a frame
 };
 
 /// What the page says of the run besides its frames; all of it text for people.
@@ -46,7 +46,7 @@ struct ReportTruth
 };
 
 /// Follows a run frame by frame and makes the page of it. Memory: the compressed frames, about
-/// 40 kB each, and 250 bytes a track and frame. The same run gives the same bytes.
+/// 60 kB each, and 250 bytes a track and frame. The same run gives the same bytes.
 class RunReport
 {
 public:
