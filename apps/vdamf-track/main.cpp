@@ -11,9 +11,9 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "pictures.h"
 #include "summary.h"
 #include "vdamf/rawlog/track_rawlog.h"
-#include "vdamf/report/birds_eye.h"
 
 namespace
 {
@@ -35,7 +35,7 @@ struct Cli
     std::string output;
     std::string tracks;
     std::string nis;
-    std::string picture;
+    vdamf::PicturePaths pictures;
     std::string frames;
     std::vector<std::string> set;
     bool overwrite = false;
@@ -51,7 +51,12 @@ void declare(CLI::App& app, Cli& cli)
     app.add_option("-o,--output", cli.output, "annotated rawlog to write");
     app.add_option("--tracks", cli.tracks, "table of all tracks to write (CSV)");
     app.add_option("--nis", cli.nis, "table of each track's consistency (NIS) to write (CSV)");
-    app.add_option("--picture", cli.picture, "bird's-eye picture of the last frame to write (SVG)");
+    app.add_option("--picture", cli.pictures.picture,
+                   "bird's-eye picture of the last frame to write (SVG)");
+    app.add_option("--report", cli.pictures.report,
+                   "page to write that plays the run in a browser (HTML)");
+    app.add_option("--scene", cli.pictures.scene,
+                   "scene of the run to write, for SceneViewer3D (.3Dscene)");
     app.add_option("--frames", cli.frames, "frames A:B to track, the first one is 0, B excluded");
     app.add_option("--set", cli.set, "section.key=value over the configuration (repeatable)")
         ->allow_extra_args(false);
@@ -67,7 +72,7 @@ void declare(CLI::App& app, Cli& cli)
         });
     app.footer(
         "Example:\n  vdamf-track -i street.rawlog -o street_tracked.rawlog "
-        "--tracks tracks.csv --picture street.svg");
+        "--tracks tracks.csv --report street.html");
 }
 
 // "A:B", either side may be empty. Throws std::invalid_argument.
@@ -103,7 +108,8 @@ vdamf::Configuration configurationOf(const Cli& cli)
 std::vector<std::string> outputsOf(const Cli& cli)
 {
     std::vector<std::string> all;
-    for (const std::string& name : {cli.output, cli.tracks, cli.nis, cli.picture})
+    for (const std::string& name : {cli.output, cli.tracks, cli.nis, cli.pictures.picture,
+                                    cli.pictures.report, cli.pictures.scene})
         if (!name.empty()) all.push_back(name);
     return all;
 }
@@ -120,7 +126,8 @@ vdamf::TrackRawlogJob jobOf(const Cli& cli)
 {
     if (cli.input.empty()) throw std::invalid_argument("-i is required: the rawlog to read");
     if (outputsOf(cli).empty())
-        throw std::invalid_argument("nothing to write: name -o, --tracks, --nis or --picture");
+        throw std::invalid_argument(
+            "nothing to write: name -o, --tracks, --nis, --picture, --report or --scene");
     for (const std::string& name : outputsOf(cli))
         if (name == "-")
             throw std::invalid_argument(
@@ -131,7 +138,8 @@ vdamf::TrackRawlogJob jobOf(const Cli& cli)
     if (!cli.output.empty()) job.output = cli.output;
     if (!cli.tracks.empty()) job.tracks = cli.tracks;
     if (!cli.nis.empty()) job.nis = cli.nis;
-    if (!cli.picture.empty()) job.otherOutputs.emplace_back(cli.picture);
+    for (const std::string& name : {cli.pictures.picture, cli.pictures.report, cli.pictures.scene})
+        if (!name.empty()) job.otherOutputs.emplace_back(name);
     job.configurationFile = cli.config;
     if (cli.overwrite) job.existing = vdamf::OutputFile::Existing::Overwrite;
     if (!cli.frames.empty()) parseFrames(cli.frames, job);
@@ -183,25 +191,17 @@ int run(const Cli& cli, const vdamf::TrackRawlogJob& job)
     std::signal(SIGTERM, onSignal);
     const bool progress = !cli.quiet && isatty(STDERR_FILENO) != 0;
     std::uint64_t frames = 0;
-    vdamf::BirdsEye birdsEye;
+    vdamf::Pictures pictures(cli.pictures, job);
     const auto listener =
         [&](const vdamf::LadarFrame& frame, const vdamf::FrameResult& result, double share)
     {
-        if (!cli.picture.empty()) birdsEye.add(frame, result);
+        pictures.add(frame, result);
         ++frames;
         if (progress) showProgress(share, frames);
     };
-    // Opened first, so that a run does not end on a picture that cannot be written.
-    std::optional<vdamf::OutputFile> picture;
-    if (!cli.picture.empty())
-        picture.emplace(cli.picture, job.existing, vdamf::OutputFile::Unfinished::Discard);
     const vdamf::TrackRawlogSummary summary = vdamf::trackRawlog(job, interrupted, listener);
     if (progress) std::fprintf(stderr, "\n");
-    if (picture && !summary.interrupted)
-    {
-        picture->write(birdsEye.svg());
-        picture->commit();
-    }
+    if (!summary.interrupted) pictures.commit(job, summary);
     vdamf::warn(summary, cli.input);
     if (!cli.quiet)
     {

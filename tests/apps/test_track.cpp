@@ -19,6 +19,7 @@
 #include "vdamf/evaluation/box_overlap.h"
 #include "vdamf/evaluation/tables.h"
 #include "vdamf/rawlog/annotation.h"
+#include "vdamf/rawlog/annotation_table.h"
 #include "vdamf/rawlog/rawlog_writer.h"
 #include "vdamf/rawlog/scan.h"
 
@@ -71,9 +72,9 @@ TEST_F(Track, AnnotatesEveryFrameBehindItsScan)
         ASSERT_TRUE(table);
         EXPECT_EQ(table->sensorLabel, "vdamf_tracks");
         EXPECT_EQ(table->timestamp, scan->timestamp);
-        EXPECT_EQ(table->AIN_channel_count, trackColumns().size());
+        EXPECT_EQ(table->AIN_channel_count, annotationColumns().size());
         EXPECT_EQ(table->AIN_double.size(),
-                  trackColumns().size() * static_cast<std::size_t>(rowsOfTime[time]));
+                  annotationColumns().size() * static_cast<std::size_t>(rowsOfTime[time]));
         std::size_t next = i + 2;
         for (int k = 0; k < published[time]; ++k, ++next)
         {

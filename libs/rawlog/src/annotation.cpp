@@ -4,76 +4,14 @@
 #include <mrpt/obs/CObservation3DScene.h>
 #include <mrpt/obs/CObservationRawDAQ.h>
 #include <mrpt/obs/CObservationRobotPose.h>
-#include <mrpt/opengl/CBox.h>
 #include <mrpt/opengl/COpenGLScene.h>
 #include <mrpt/opengl/CSetOfLines.h>
-#include <mrpt/opengl/CText.h>
 
-#include <cmath>
-
-#include "vdamf/evaluation/tables.h"
+#include "track_shapes.h"
+#include "vdamf/rawlog/annotation_table.h"
 
 namespace vdamf
 {
-namespace
-{
-bool published(const TrackReport& track)
-{
-    return track.status == TrackStatus::Confirmed || track.status == TrackStatus::Coasting;
-}
-
-// A colour that a track keeps: hues a golden angle apart.
-mrpt::img::TColor colourOf(const TrackReport& track)
-{
-    const double hue = std::fmod(static_cast<double>(track.id) * 0.618033988749895, 1.0) * 6.0;
-    const auto channel = [&](double shift)
-    {
-        const double k = std::fmod(shift + hue, 6.0);
-        const double v = std::min(1.0, std::max(0.0, std::min(k, 4.0 - k)));
-        return static_cast<std::uint8_t>(80 + 175 * (1.0 - v));
-    };
-    const std::uint8_t alpha = track.status == TrackStatus::Coasting ? 120 : 255;
-    return {channel(5.0), channel(3.0), channel(1.0), alpha};
-}
-
-mrpt::opengl::CRenderizable::Ptr boxOf(const TrackReport& track)
-{
-    const double l = 0.5 * track.box.length;
-    const double w = 0.5 * track.box.width;
-    auto box = mrpt::opengl::CBox::Create(mrpt::math::TPoint3D(-l, -w, 0.0),
-                                          mrpt::math::TPoint3D(l, w, std::max(0.1, track.height)),
-                                          true, 2.0F);
-    box->setColor_u8(colourOf(track));
-    box->setBoxBorderColor(colourOf(track));
-    box->setPose(mrpt::poses::CPose3D(track.box.x, track.box.y, track.z, track.box.heading, 0, 0));
-    return box;
-}
-
-// An arrow's shaft from the roof's middle to beyond the front: which way the vehicle faces.
-mrpt::opengl::CRenderizable::Ptr headingLine(const TrackReport& track)
-{
-    auto line = mrpt::opengl::CSetOfLines::Create();
-    const double reach = 0.5 * track.box.length + 1.0;
-    const double c = std::cos(track.box.heading);
-    const double s = std::sin(track.box.heading);
-    const double z = track.z + track.height;
-    line->appendLine(track.box.x, track.box.y, z, track.box.x + reach * c, track.box.y + reach * s,
-                     z);
-    line->setColor_u8(colourOf(track));
-    line->setLineWidth(2.0F);
-    return line;
-}
-
-mrpt::opengl::CRenderizable::Ptr nameOf(const TrackReport& track)
-{
-    auto text = mrpt::opengl::CText::Create();
-    text->setString(std::to_string(track.id));
-    text->setColor_u8(colourOf(track));
-    text->setLocation(track.box.x, track.box.y, track.z + track.height + 0.5);
-    return text;
-}
-}  // namespace
-
 bool isAnnotation(const mrpt::obs::CObservation& observation)
 {
     return observation.sensorLabel.rfind(kAnnotationLabel, 0) == 0;
@@ -85,7 +23,7 @@ mrpt::obs::CObservationComment headComment(const std::string& version, const std
                                            mrpt::Clock::time_point stamp)
 {
     std::string columns;
-    for (const std::string& c : trackColumns()) columns += (columns.empty() ? "" : ",") + c;
+    for (const std::string& c : annotationColumns()) columns += (columns.empty() ? "" : ",") + c;
     mrpt::obs::CObservationComment comment;
     comment.timestamp = stamp;
     comment.text = "[vdamf]\nversion = " + version +
@@ -103,7 +41,7 @@ std::vector<mrpt::obs::CObservation::Ptr> Annotator::annotate(const FrameResult&
     if (options_.poses)
     {
         for (const TrackReport& track : frame.tracks)
-            if (published(track)) all.push_back(pose(track));
+            if (isPublished(track)) all.push_back(pose(track));
     }
     if (options_.scene)
     {
@@ -117,12 +55,12 @@ std::vector<mrpt::obs::CObservation::Ptr> Annotator::annotate(const FrameResult&
 mrpt::obs::CObservation::Ptr Annotator::table(const FrameResult& frame) const
 {
     auto table = mrpt::obs::CObservationRawDAQ::Create();
-    table->sensorLabel = "vdamf_tracks";
-    table->AIN_channel_count = static_cast<std::uint16_t>(trackColumns().size());
+    table->sensorLabel = kTableLabel;
+    table->AIN_channel_count = static_cast<std::uint16_t>(annotationColumns().size());
     table->AIN_interleaved = true;
     for (const TrackReport& track : frame.tracks)
     {
-        const std::vector<double> row = toNumbers(frame.time, track);
+        const std::vector<double> row = annotationRow(frame.time, track);
         table->AIN_double.insert(table->AIN_double.end(), row.begin(), row.end());
     }
     return table;
@@ -154,7 +92,7 @@ mrpt::obs::CObservation::Ptr Annotator::scene(const FrameResult& frame) const
     observation->scene = mrpt::opengl::COpenGLScene::Create();
     for (const TrackReport& track : frame.tracks)
     {
-        if (!published(track)) continue;
+        if (!isPublished(track)) continue;
         observation->scene->insert(boxOf(track));
         observation->scene->insert(headingLine(track));
         observation->scene->insert(nameOf(track));

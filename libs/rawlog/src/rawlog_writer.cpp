@@ -7,8 +7,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "gz_member.h"
 #include "string_archive.h"
+#include "vdamf/files/gz_member.h"
 
 namespace vdamf
 {

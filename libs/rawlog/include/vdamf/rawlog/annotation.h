@@ -19,6 +19,8 @@ namespace vdamf
 {
 /// Labels of annotations start with this; such observations are never taken for input.
 inline constexpr const char* kAnnotationLabel = "vdamf_track";
+/// Of the frame's table.
+inline constexpr const char* kTableLabel = "vdamf_tracks";
 bool isAnnotation(const mrpt::obs::CObservation& observation);
 
 /// First entry of an annotated rawlog, in ini form: program version, world origin, columns of the
@@ -35,7 +37,7 @@ public:
     explicit Annotator(const OutputOptions& options) : options_(options) {}
 
     /// In the order of writing, all with the scan's time stamp: the table (`vdamf_tracks`, one row
-    /// a track, columns of tracks.csv), the poses, the scene.
+    /// a track, columns of annotationColumns()), the poses, the scene.
     std::vector<mrpt::obs::CObservation::Ptr> annotate(const FrameResult& frame,
                                                        mrpt::Clock::time_point stamp);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gz_member.h"
+#include "vdamf/files/gz_member.h"
 
 #include <zlib.h>
 

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vdamf-report: an annotated rawlog in, a page for the browser out.
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <atomic>
+#include <csignal>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <string>
+
+#include "vdamf/files/numbers.h"
+#include "vdamf/files/output_file.h"
+#include "vdamf/rawlog/annotated_rawlog.h"
+#include "vdamf/report/run_report.h"
+
+namespace
+{
+namespace fs = std::filesystem;
+
+constexpr int kDone = 0;
+constexpr int kFailed = 1;
+constexpr int kBadUse = 2;
+
+std::atomic<bool> interrupted{false};
+
+void onSignal(int)
+{
+    interrupted = true;
+}
+
+struct CommandLine
+{
+    fs::path input;
+    fs::path output;
+    fs::path truth;
+    std::string title;
+    int hitsPerFrame = 14000;
+    double regionFovDegrees = 0.0;
+    bool overwrite = false;
+    bool quiet = false;
+    vdamf::EvaluationOptions evaluation;
+};
+
+// A number in a range; CLI::Range lets nan pass.
+CLI::Validator within(double min, double max)
+{
+    const std::string range = vdamf::toText(min) + " to " + vdamf::toText(max);
+    return {[=](std::string& text)
+            {
+                const auto value = vdamf::parseNumber(text);
+                const bool isInside = value && *value >= min && *value <= max;
+                return isInside ? std::string() : "'" + text + "': expected " + range;
+            },
+            "FLOAT in [" + range + "]"};
+}
+
+void declare(CLI::App& app, CommandLine& line)
+{
+    app.set_version_flag("--version", std::string("vdamf-report ") + VDAMF_VERSION);
+    app.add_option("input", line.input, "rawlog that vdamf-track -o wrote")->required();
+    app.add_option("-o,--output", line.output, "page to write (HTML)")->required();
+    app.add_option("--truth", line.truth,
+                   "table of labelled objects (csv): shown, and where the tracks err");
+    app.add_option("--title", line.title, "of the page; default: the input's name");
+    app.add_option("--hits-per-frame", line.hitsPerFrame,
+                   "LADAR hits kept of each frame, at most: more detail, larger page")
+        ->check(CLI::Range(100, 200000))
+        ->capture_default_str();
+    vdamf::ScoringOptions& scoring = line.evaluation.scoring;
+    app.add_option("--region-fov-deg", line.regionFovDegrees,
+                   "labelled sector ahead of the sensor; 0: all around (KITTI: 80)")
+        ->check(within(0.0, 360.0))
+        ->capture_default_str();
+    app.add_option("--max-range-m", scoring.maxRange, "judge up to this range; 0: all")
+        ->check(within(0.0, 1e4))
+        ->capture_default_str();
+    app.add_option("--min-points", scoring.minPoints, "objects with fewer hits do not count")
+        ->check(CLI::Range(0, 1000000))
+        ->capture_default_str();
+    app.add_flag("--vehicles-only", scoring.onlyVehicles,
+                 "judge no tracks that the discriminator takes for clutter");
+    app.add_flag("--overwrite", line.overwrite, "replace an existing page");
+    app.add_flag("-q,--quiet", line.quiet, "no progress, no summary");
+    app.footer(
+        "Example:\n  vdamf-report street_tracked.rawlog -o street.html "
+        "--truth datasets/street/truth.csv");
+}
+
+void showProgress(double share, std::size_t frames)
+{
+    std::fprintf(stderr, "\r%3.0f %%  %zu frames", 100.0 * share, frames);
+}
+
+vdamf::RunFacts factsOf(const CommandLine& line, const vdamf::Annotations& annotations,
+                        const vdamf::ReplaySummary& summary)
+{
+    vdamf::RunFacts facts;
+    facts.title = line.title.empty() ? line.input.filename().string() : line.title;
+    facts.version = annotations.version;
+    facts.configuration = toIni(annotations.configuration);
+    std::string sensors;
+    for (const std::string& label : summary.labels)
+        sensors += (sensors.empty() ? "" : ", ") + label;
+    facts.rows = {{"Rawlog", line.input.filename().string()},
+                  {"LADAR", sensors},
+                  {"INS poses", annotations.insSource},
+                  {"World origin", annotations.origin}};
+    if (!line.truth.empty()) facts.rows.emplace_back("Truth", line.truth.filename().string());
+    return facts;
+}
+
+std::string pageOf(const CommandLine& line, const vdamf::Annotations& annotations)
+{
+    vdamf::ReportTruth truth;
+    truth.evaluation = line.evaluation;
+    if (!line.truth.empty()) truth.rows = vdamf::readTruth(line.truth);
+    vdamf::RunReportOptions options;
+    options.ground = annotations.configuration.tracker.ground;
+    options.clustering = annotations.configuration.tracker.clustering;
+    options.hitsPerFrame = static_cast<std::size_t>(line.hitsPerFrame);
+    vdamf::RunReport report(options);
+    const bool progress = !line.quiet && isatty(STDERR_FILENO) != 0;
+    const auto summary = vdamf::replayRawlog(
+        line.input, annotations, interrupted,
+        [&](const vdamf::LadarFrame& frame, const vdamf::FrameResult& result, double share)
+        {
+            report.add(frame, result);
+            if (progress) showProgress(share, report.frames());
+        });
+    if (progress) std::fprintf(stderr, "\n");
+    if (summary.interrupted) throw std::runtime_error("interrupted: no page is written");
+    if (summary.tablesUnused > 0)
+        std::fprintf(stderr, "%s: %llu frames are left out: their scan or its pose is missing\n",
+                     line.input.c_str(), static_cast<unsigned long long>(summary.tablesUnused));
+    const vdamf::RunFacts facts = factsOf(line, annotations, summary);
+    return line.truth.empty() ? report.html(facts) : report.html(facts, truth);
+}
+
+int run(const CommandLine& line)
+{
+    using vdamf::OutputFile;
+    std::signal(SIGINT, onSignal);
+    std::signal(SIGTERM, onSignal);
+    // Opened first, so that the work does not end on a page that cannot be written.
+    OutputFile output(
+        line.output,
+        line.overwrite ? OutputFile::Existing::Overwrite : OutputFile::Existing::Refuse,
+        OutputFile::Unfinished::Discard);
+    const vdamf::Annotations annotations = vdamf::readAnnotations(line.input);
+    if (!annotations.configurationProblem.empty())
+        std::fprintf(stderr,
+                     "%s: its configuration cannot be read, the built-in one is taken: %s\n",
+                     line.input.c_str(), annotations.configurationProblem.c_str());
+    const std::string page = pageOf(line, annotations);
+    output.write(page);
+    output.commit();
+    if (!line.quiet && !vdamf::isStandardOutput(line.output))
+        std::printf("%s: %zu frames, %.1f MB\n", line.output.c_str(), annotations.tables.size(),
+                    1e-6 * static_cast<double>(page.size()));
+    return kDone;
+}
+
+int mainOf(int argc, char** argv)
+{
+    CLI::App app("Makes a page of an annotated rawlog that plays it in any browser, offline.");
+    CommandLine line;
+    declare(app, line);
+    try
+    {
+        app.parse(argc, argv);
+        line.evaluation.scoring.regionFov = line.regionFovDegrees * vdamf::kPi / 180.0;
+        vdamf::checkOutputPaths({line.output},
+                                {{line.input, "the input"}, {line.truth, "an input"}});
+    }
+    catch (const CLI::ParseError& error)
+    {
+        return app.exit(error) == 0 ? kDone : kBadUse;
+    }
+    catch (const std::exception& error)
+    {
+        std::fprintf(stderr, "vdamf-report: %s\n", error.what());
+        return kBadUse;
+    }
+    return run(line);
+}
+}  // namespace
+
+int main(int argc, char** argv)
+{
+    try
+    {
+        return mainOf(argc, argv);
+    }
+    catch (const std::exception& error)
+    {
+        std::fprintf(stderr, "vdamf-report: %s\n", error.what());
+        return kFailed;
+    }
+}

@@ -1,0 +1,12 @@
+# Writes the files of the page into a C++ source: cmake -DOUTPUT=... -DFILES=... -P embed_page.cmake
+set(delimiter "vdamf_page")
+set(source "// SPDX-License-Identifier: BSD-3-Clause\n// Made by embed_page.cmake.\n#include \"page.h\"\n\n")
+string(APPEND source "namespace vdamf\n{\nconst std::vector<PageFile>& pageFiles()\n{\n")
+string(APPEND source "    static const std::vector<PageFile> kFiles = {\n")
+foreach(file IN LISTS FILES)
+    cmake_path(GET file FILENAME name)
+    file(READ "${file}" text)
+    string(APPEND source "        {\"${name}\", R\"${delimiter}(${text})${delimiter}\"},\n")
+endforeach()
+string(APPEND source "    };\n    return kFiles;\n}\n\n}  // namespace vdamf\n")
+file(WRITE "${OUTPUT}" "${source}")
