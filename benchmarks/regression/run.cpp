@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "regression/process.h"
+#include "vdamf/experiments/process.h"
 #include "vdamf/files/numbers.h"
 #include "vdamf/files/text_file.h"
 
@@ -34,17 +34,6 @@ RunFiles preparedFiles(const fs::path& folder)
     return files;
 }
 
-// The last line that says something.
-std::string lastWords(const fs::path& log)
-{
-    const std::string text = readTextFile(log);
-    const std::string_view all = trimmed(text);
-    const std::size_t end = all.find_last_not_of("\r\n");
-    if (end == std::string_view::npos) return "";
-    const std::size_t begin = all.find_last_of('\n', end) + 1;
-    return std::string(trimmed(all.substr(begin, end + 1 - begin)));
-}
-
 void call(const std::vector<std::string>& command, const std::vector<std::string>& more,
           const RunOptions& options, const fs::path& log)
 {
@@ -53,8 +42,8 @@ void call(const std::vector<std::string>& command, const std::vector<std::string
     all.insert(all.end(), more.begin(), more.end());
     const int exitCode = runProgram(all, log);
     if (exitCode != 0)
-        throw std::runtime_error(command.front() + " ended with code " + std::to_string(exitCode) +
-                                 " (" + log.string() + "): " + lastWords(log));
+        throw std::runtime_error(command.front() + " " + exitInWords(exitCode) + " (" +
+                                 log.string() + "): " + lastWords(log));
 }
 
 std::vector<std::string> trackCommand(const RegressionScenario& scenario, const RunFiles& files,

@@ -6,7 +6,6 @@
 #include "apps/command_line.h"
 #include "files/temporary_folder.h"
 #include "regression/catalogue.h"
-#include "regression/process.h"
 #include "regression/run.h"
 #include "regression/tables.h"
 
@@ -124,18 +123,6 @@ TEST_F(RegressionRun, FindsScenariosAndRecordings)
     EXPECT_THAT(catalogue.scenarios[2].track, ElementsAre("--set", "scan.label=left"));
     EXPECT_TRUE(catalogue.notes.empty());
     EXPECT_EQ(catalogueOf(at("datasets"), "").notes.size(), 2U);
-}
-
-TEST_F(RegressionRun, ProgramsAreRunWithoutAShell)
-{
-    const auto log = at("log.txt");
-    EXPECT_EQ(runProgram({"/bin/echo", "$HOME;", "a b"}, log), 0);
-    EXPECT_THAT(contentOf("log.txt"), HasSubstr("\n$HOME; a b\n"));
-    EXPECT_EQ(runProgram({"/bin/sh", "-c", "echo no >&2; exit 3"}, log), 3);
-    EXPECT_THAT(contentOf("log.txt"), HasSubstr("\nno\n"));
-    EXPECT_EQ(runProgram({"/bin/sh", "-c", "kill -9 $$"}, log), 137);
-    EXPECT_THAT(errorOf([&] { runProgram({"/no/such/program"}, log); }),
-                HasSubstr("/no/such/program"));
 }
 
 TEST_F(RegressionRun, TakesTheTimeFromTheSummary)

@@ -2,7 +2,7 @@
 // Suggestions for misspelt names.
 #include <gtest/gtest.h>
 
-#include "../../libs/files/src/nearest_name.h"
+#include "vdamf/files/nearest_name.h"
 
 namespace vdamf
 {

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "nearest_name.h"
+#include "vdamf/files/nearest_name.h"
 #include "vdamf/files/text_file.h"
 
 namespace vdamf

@@ -3,8 +3,8 @@
 #include <optional>
 
 #include "degrees.h"
-#include "nearest_name.h"
 #include "vdamf/files/ini.h"
+#include "vdamf/files/nearest_name.h"
 #include "vdamf/files/numbers.h"
 #include "vdamf/files/text_file.h"
 

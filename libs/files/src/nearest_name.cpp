@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "nearest_name.h"
+#include "vdamf/files/nearest_name.h"
 
 #include <algorithm>
 

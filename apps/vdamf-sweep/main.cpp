@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vdamf-sweep: many recordings with many settings.
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <atomic>
+#include <csignal>
+#include <cstdio>
+#include <filesystem>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <thread>
+
+#include "folder_lock.h"
+#include "outputs.h"
+#include "progress.h"
+#include "vdamf/experiments/digest.h"
+#include "vdamf/experiments/metric_names.h"
+#include "vdamf/experiments/setting_configuration.h"
+#include "vdamf/experiments/sweep.h"
+#include "worker.h"
+
+namespace
+{
+namespace fs = std::filesystem;
+
+constexpr int kDone = 0;
+constexpr int kFailed = 1;
+constexpr int kBadUse = 2;
+
+std::atomic<bool> interrupted{false};
+
+void onSignal(int)
+{
+    interrupted = true;
+}
+
+struct CommandLine
+{
+    fs::path config;
+    fs::path folder;
+    fs::path task;
+    std::string engine = "local";
+    unsigned jobs = std::max(1U, std::thread::hardware_concurrency());
+    bool resume = true;
+    bool dryRun = false;
+    bool quiet = false;
+    bool printMetrics = false;
+};
+
+void declare(CLI::App& app, CommandLine& line)
+{
+    app.set_version_flag("--version", std::string("vdamf-sweep ") + VDAMF_VERSION);
+    app.add_option("-c,--config", line.config, "what to sweep (ini)");
+    app.add_option("-o,--output", line.folder,
+                   "folder of the sweep; default: results/<name of the ini file>");
+    app.add_option("--engine", line.engine, "what carries out the runs")
+        ->check(CLI::IsMember({"local", "slurm"}))
+        ->capture_default_str();
+    app.add_option("-j,--jobs", line.jobs, "local: runs at a time")
+        ->check(CLI::Range(1, 1024))
+        ->capture_default_str();
+    app.add_flag("--resume,!--no-resume", line.resume,
+                 "skip the runs that are done (default), or do them again");
+    app.add_flag("--dry-run", line.dryRun, "check everything, print the plan and exit");
+    app.add_flag("--print-metrics", line.printMetrics, "print the names of all metrics and exit");
+    app.add_flag("-q,--quiet", line.quiet, "no progress, no summary");
+    app.add_option("--task", line.task)->group("");  // what its own workers are called with
+    app.footer("Example:\n  vdamf-sweep -c datasets/sweeps/street.ini -o results/street_sweep");
+}
+
+fs::path ownProgram()
+{
+    return fs::read_symlink("/proc/self/exe");
+}
+
+vdamf::Engine engineOf(const CommandLine& line, const vdamf::PreparedSweep& sweep)
+{
+    const vdamf::WorkerCommand worker = {ownProgram().string(), "--task"};
+    if (line.engine == "slurm")
+        return vdamf::slurmEngine(worker, sweep.file.slurm, line.folder / "slurm");
+    return vdamf::localEngine(worker, line.jobs);
+}
+
+vdamf::SweepProgress::Style styleOf(const CommandLine& line)
+{
+    using Style = vdamf::SweepProgress::Style;
+    if (line.quiet) return Style::Quiet;
+    return isatty(STDERR_FILENO) != 0 ? Style::Bar : Style::Lines;
+}
+
+// Only below a folder that a sweep has made its own.
+void forgetRuns(const fs::path& folder)
+{
+    if (!fs::exists(folder / vdamf::kSweepCopy)) return;
+    fs::remove_all(folder / "runs");
+    fs::remove_all(folder / "tasks");
+}
+
+int dryRun(const CommandLine& line, const vdamf::PreparedSweep& sweep,
+           const vdamf::SweepProgram& program)
+{
+    std::printf("recordings\n");
+    for (const vdamf::SweepRecording& recording : sweep.recordings)
+        std::printf("  %s  (%s, truth %s)\n", recording.name.c_str(), recording.rawlog.c_str(),
+                    recording.truth.c_str());
+    std::printf("settings\n");
+    if (sweep.file.sweep.plan == vdamf::PlanKind::Optimise)
+        std::printf("  %d at most, chosen on the way\n", sweep.file.sweep.count);
+    for (std::size_t s = 0; s < sweep.settings.size(); ++s)
+        std::printf("  %zu  %s\n", s + 1, inWords(sweep.file, sweep.settings[s]).c_str());
+    std::size_t done = 0;
+    for (const vdamf::PlannedRun& run : plannedRuns(sweep, sweep.settings, 0, program, line.folder))
+        done += run.isDone ? 1 : 0;
+    std::printf("%zu runs, %zu of them done, in %s\n", sweep.runs, done, line.folder.c_str());
+    return kDone;
+}
+
+int interruptedExit(const vdamf::SweepProgress& progress, const fs::path& folder)
+{
+    progress.end();
+    std::fprintf(stderr,
+                 "interrupted: the runs that are done stay in %s; the same command goes on\n",
+                 folder.c_str());
+    return kFailed;
+}
+
+int run(const CommandLine& line, const vdamf::PreparedSweep& sweep,
+        const vdamf::SweepProgram& program)
+{
+    std::signal(SIGINT, onSignal);
+    std::signal(SIGTERM, onSignal);
+    fs::create_directories(line.folder);
+    const vdamf::FolderLock lock(line.folder);
+    if (!line.resume) forgetRuns(line.folder);
+    vdamf::writeSweepCopy(sweep, line.folder);
+    vdamf::SweepProgress progress(sweep, styleOf(line));
+    vdamf::SweepListener listener;
+    listener.planned = [&](const auto& runs) { progress.planned(runs); };
+    listener.finished = [&](const auto& one, const std::string& failure)
+    { progress.finished(one, failure); };
+    const vdamf::SweepResults results =
+        vdamf::runSweep(sweep, program, line.folder, engineOf(line, sweep), interrupted, listener);
+    if (interrupted) return interruptedExit(progress, line.folder);
+    progress.end();
+    vdamf::writeOutputs(sweep, results, line.folder);
+    if (!line.quiet) vdamf::printOutcome(sweep, results, progress.skipped(), line.folder);
+    if (progress.failures() == 0) return kDone;
+    std::fprintf(stderr, "%zu runs failed; their logs are in %s\n", progress.failures(),
+                 (line.folder / "tasks").c_str());
+    return kFailed;
+}
+
+int mainOf(int argc, char** argv)
+{
+    CLI::App app("Runs the tracker on many recordings with many settings and compares them.");
+    CommandLine line;
+    declare(app, line);
+    std::optional<vdamf::PreparedSweep> sweep;
+    try
+    {
+        app.parse(argc, argv);
+        if (!line.task.empty()) return vdamf::work(line.task);
+        if (line.printMetrics)
+        {
+            for (const std::string& name : vdamf::metricNames()) std::printf("%s\n", name.c_str());
+            return kDone;
+        }
+        if (line.config.empty()) throw std::invalid_argument("-c is required: what to sweep");
+        if (line.folder.empty()) line.folder = fs::path("results") / line.config.stem();
+        sweep = vdamf::prepareSweep(line.config);
+        vdamf::checkOutputs(*sweep, line.folder);
+    }
+    catch (const CLI::ParseError& error)
+    {
+        return app.exit(error) == 0 ? kDone : kBadUse;
+    }
+    catch (const std::exception& error)
+    {
+        std::fprintf(stderr, "vdamf-sweep: %s\n", error.what());
+        return kBadUse;
+    }
+    const vdamf::SweepProgram program{VDAMF_VERSION, vdamf::digestOfFile(ownProgram())};
+    return line.dryRun ? dryRun(line, *sweep, program) : run(line, *sweep, program);
+}
+}  // namespace
+
+int main(int argc, char** argv)
+{
+    try
+    {
+        return mainOf(argc, argv);
+    }
+    catch (const std::exception& error)
+    {
+        std::fprintf(stderr, "vdamf-sweep: %s\n", error.what());
+        return kFailed;
+    }
+}

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The files that a sweep leaves beside its runs, and what it says at the end.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+
+#include "vdamf/experiments/results.h"
+#include "vdamf/experiments/sweep.h"
+
+namespace vdamf
+{
+constexpr const char* kSweepCopy = "sweep.ini";
+
+/// Throws std::runtime_error where an output would replace the sweep's file, its configuration, or
+/// a truth.
+void checkOutputs(const PreparedSweep& sweep, const std::filesystem::path& folder);
+
+/// The sweep's file as it was at the start.
+void writeSweepCopy(const PreparedSweep& sweep, const std::filesystem::path& folder);
+
+/// table.csv, times.csv, report.html and, where a setting is the best, best.ini. Those of an
+/// earlier sweep in the folder are replaced.
+void writeOutputs(const PreparedSweep& sweep, const SweepResults& results,
+                  const std::filesystem::path& folder);
+
+/// The best setting and where to look further, on stdout.
+void printOutcome(const PreparedSweep& sweep, const SweepResults& results, std::size_t skipped,
+                  const std::filesystem::path& folder);
+
+}  // namespace vdamf

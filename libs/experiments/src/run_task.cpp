@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vdamf/experiments/run_task.h"
+
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <numeric>
+#include <stdexcept>
+
+#include "vdamf/evaluation/evaluation_json.h"
+#include "vdamf/experiments/digest.h"
+#include "vdamf/files/output_file.h"
+#include "vdamf/files/text_file.h"
+
+namespace vdamf
+{
+namespace
+{
+namespace fs = std::filesystem;
+
+constexpr const char* kFailureFile = "failure.txt";
+
+void writeFile(const fs::path& path, const std::string& content)
+{
+    OutputFile file(path, OutputFile::Existing::Overwrite, OutputFile::Unfinished::Discard);
+    file.write(content);
+    file.commit();
+}
+
+TrackRawlogSummary track(const RunTask& task, const fs::path& taskFolder, const fs::path& folder)
+{
+    TrackRawlogJob job;
+    job.input = task.rawlog;
+    job.tracks = folder / "tracks.csv";
+    job.version = task.version;
+    job.configuration = readConfiguration(IniDocument::load(taskFolder / "config.ini"));
+    job.firstFrame = static_cast<std::uint64_t>(task.frames.first);
+    if (task.frames.last > 0) job.lastFrame = static_cast<std::uint64_t>(task.frames.last);
+    const std::atomic<bool> never{false};
+    const TrackRawlogSummary summary = trackRawlog(job, never);
+    if (summary.read.truncated)
+        throw std::runtime_error(task.rawlog + ": truncated: " + summary.read.truncation);
+    return summary;
+}
+
+void score(const RunTask& task, const fs::path& folder)
+{
+    const Evaluation evaluation =
+        evaluate(readTruth(task.truth), readTracks(folder / "tracks.csv"), task.score.options());
+    writeFile(folder / "metrics.json", toJson(evaluation));
+}
+
+std::string timesJson(const TrackRawlogSummary& summary, double seconds)
+{
+    const double tracking = std::accumulate(summary.stageSeconds.begin(),
+                                            summary.stageSeconds.end(), summary.frameSeconds);
+    const auto frames = static_cast<double>(std::max<std::uint64_t>(1, summary.frames));
+    nlohmann::ordered_json json;
+    json["frames"] = summary.frames;
+    json["seconds"] = seconds;
+    json["tracking_ms_per_frame"] = 1e3 * tracking / frames;
+    return json.dump(2) + "\n";
+}
+
+// The folder gets its name as a whole; where another process was faster, its result stays.
+void publish(const fs::path& folder, const fs::path& result)
+{
+    std::error_code error;
+    fs::rename(folder, result, error);
+    if (!error) return;
+    if (!fs::exists(result))
+        throw std::runtime_error(result.string() + ": cannot make: " + error.message());
+    fs::remove_all(folder);
+}
+void runTask(const fs::path& folder, const TaskReport& tell)
+{
+    const auto begin = std::chrono::steady_clock::now();
+    const RunTask task = readTask(folder);
+    // A folder of this process: an earlier or a second one may have left, or still write, its own.
+    std::array<char, 256> host = {};
+    ::gethostname(host.data(), host.size() - 1);
+    const fs::path work =
+        folder / ("work-" + std::string(host.data()) + "-" + std::to_string(::getpid()));
+    fs::remove_all(work);
+    fs::create_directory(work);
+    const TrackRawlogSummary summary = track(task, folder, work);
+    score(task, work);
+    writeFile(work / "config.ini", task.configuration);
+    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
+    writeFile(work / "times.json", timesJson(summary, passed.count()));
+    tell(summary, task);
+    std::fflush(nullptr);
+    if (fs::exists(folder / kLogFile)) fs::copy_file(folder / kLogFile, work / kLogFile);
+    publish(work, task.result);
+}
+}  // namespace
+
+std::string runId(const RunTask& task, const std::string& rawlogDigest,
+                  const std::string& truthDigest, const std::string& program)
+{
+    IniWriter writer;
+    writer.write("frames", "", task.frames);
+    writer.write("score", "", task.score);
+    std::string all = "run 1\n";
+    for (const std::string& part : {program, rawlogDigest, truthDigest, writer.text()})
+        all += part + "\n";
+    return digestOf(all + task.configuration);
+}
+
+void writeTask(const RunTask& task, const fs::path& folder)
+{
+    IniWriter writer;
+    writer.write("task", "One run of a sweep", task);
+    fs::create_directories(folder);
+    writeFile(folder / "config.ini", task.configuration);
+    writeFile(folder / "task.ini", writer.text());
+}
+
+RunTask readTask(const fs::path& folder)
+{
+    const IniDocument document = IniDocument::load(folder / "task.ini");
+    RunTask task;
+    IniReader reader(document);
+    reader.read("task", task);
+    reader.finish();
+    task.configuration = readTextFile(folder / "config.ini");
+    return task;
+}
+
+RunTimes readTimes(const fs::path& resultFolder)
+{
+    const fs::path file = resultFolder / "times.json";
+    try
+    {
+        const auto json = nlohmann::json::parse(readTextFile(file));
+        return {json.at("frames"), json.at("seconds"), json.at("tracking_ms_per_frame")};
+    }
+    catch (const nlohmann::json::exception& error)
+    {
+        throw std::runtime_error(file.string() + ": " + error.what());
+    }
+}
+
+void performTask(const fs::path& folder, const TaskReport& tell)
+{
+    try
+    {
+        runTask(folder, tell);
+    }
+    catch (const std::exception& error)
+    {
+        writeFile(folder / kFailureFile, error.what());
+        throw;
+    }
+}
+
+void prepareAttempt(const fs::path& folder)
+{
+    fs::remove(folder / kFailureFile);
+    fs::remove(folder / kLogFile);
+}
+
+std::optional<std::string> failureOf(const fs::path& folder)
+{
+    if (!fs::exists(folder / kFailureFile)) return std::nullopt;
+    return readTextFile(folder / kFailureFile);
+}
+
+}  // namespace vdamf

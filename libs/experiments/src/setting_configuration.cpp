@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vdamf/experiments/setting_configuration.h"
+
+#include <stdexcept>
+
+#include "split.h"
+#include "vdamf/rawlog/configuration.h"
+
+namespace vdamf
+{
+namespace
+{
+// How the strict reader names what came by IniDocument::set().
+constexpr std::string_view kSetMark = "--set: ";
+
+// What concerns the one key that was set, under the name of its place in the sweep's file. What
+// concerns several keys together is checked setting by setting.
+std::string problemsOfKey(const std::string& message, const std::string& where)
+{
+    std::string problems;
+    for (const std::string& line : split(message, '\n'))
+        if (line.rfind(kSetMark, 0) == 0) problems += where + line.substr(kSetMark.size()) + "\n";
+    return problems;
+}
+
+std::string problemsOfValue(const IniDocument& base, const std::string& key,
+                            const std::string& value, const std::string& where)
+{
+    IniDocument document = base;
+    try
+    {
+        document.set(key + "=" + value);
+        readConfiguration(document);
+    }
+    catch (const IniError& error)
+    {
+        return problemsOfKey(error.what(), where);
+    }
+    catch (const std::runtime_error& error)
+    {
+        return where + error.what() + "\n";
+    }
+    return "";
+}
+
+// The ends of an interval, and a number inside that a whole number would not be.
+std::vector<std::string> samplesOf(const SweptKey& key)
+{
+    if (!key.interval) return key.values;
+    return {valueAt(*key.interval, 0.0), valueAt(*key.interval, 1.0),
+            valueAt(*key.interval, 0.381966)};
+}
+
+std::string nameOf(const std::string& assignment)
+{
+    return split(assignment, '=').front();
+}
+
+std::vector<std::string> assignmentsOf(const RecordingGroup& group)
+{
+    return group.set.empty() ? std::vector<std::string>() : split(group.set, ',');
+}
+
+std::string problemsOfGroup(const SweepFile& file, const IniDocument& base,
+                            const RecordingGroup& group)
+{
+    std::string problems;
+    const std::string where = file.path.string() + ": [recordings " + group.name + "] set: ";
+    for (const std::string& assignment : assignmentsOf(group))
+    {
+        for (const SweptKey& key : file.keys)
+            if (nameOf(assignment) == key.name)
+                problems += where + key.name + " is varied as well; remove one\n";
+        const std::size_t equals = assignment.find('=');
+        const std::string value = equals == std::string::npos ? "" : assignment.substr(equals + 1);
+        problems += problemsOfValue(base, nameOf(assignment), value, where);
+    }
+    return problems;
+}
+}  // namespace
+
+IniDocument baseDocument(const SweepFile& file)
+{
+    if (file.sweep.config.empty()) return IniDocument::parse("", "built-in configuration");
+    return IniDocument::load(file.resolved(file.sweep.config));
+}
+
+void checkKeys(const SweepFile& file, const IniDocument& base)
+{
+    readConfiguration(base);  // its own problems, under its own name
+    std::string problems;
+    for (const SweptKey& key : file.keys)
+    {
+        const std::string where = file.path.string() + ":" + std::to_string(key.line) + ": ";
+        for (const std::string& value : samplesOf(key))
+        {
+            const std::string found = problemsOfValue(base, key.name, value, where);
+            problems += found;
+            if (!found.empty()) break;  // one wrong value tells enough of a key
+        }
+    }
+    for (const RecordingGroup& group : file.groups) problems += problemsOfGroup(file, base, group);
+    if (!problems.empty()) throw std::runtime_error(problems.substr(0, problems.size() - 1));
+}
+
+std::string configurationOf(const SweepFile& file, const IniDocument& base,
+                            const RecordingGroup& group, const SweepSetting& setting)
+{
+    IniDocument document = base;
+    for (const std::string& assignment : assignmentsOf(group)) document.set(assignment);
+    for (std::size_t k = 0; k < file.keys.size(); ++k)
+        document.set(file.keys[k].name + "=" + setting.values[k]);
+    try
+    {
+        return toIni(readConfiguration(document));
+    }
+    catch (const IniError& error)
+    {
+        throw std::runtime_error(file.path.string() + ": setting " + inWords(file, setting) +
+                                 ":\n" + error.what());
+    }
+}
+
+std::string inWords(const SweepFile& file, const SweepSetting& setting)
+{
+    std::string words;
+    for (std::size_t k = 0; k < file.keys.size(); ++k)
+        words += (k > 0 ? ", " : "") + file.keys[k].name + " = " + setting.values[k];
+    return words;
+}
+
+}  // namespace vdamf

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <chrono>
+#include <map>
+#include <stdexcept>
+#include <thread>
+
+#include "slurm_queue.h"
+#include "vdamf/experiments/engine.h"
+#include "vdamf/experiments/process.h"
+#include "vdamf/experiments/run_task.h"
+#include "vdamf/files/numbers.h"
+
+namespace vdamf
+{
+namespace
+{
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+// A result may be seen late where the folders are shared over a network.
+constexpr int kLooksUntilLost = 2;
+
+struct Progress
+{
+    bool isTold = false;
+    int attempts = 0;  ///< submitted, or found in the queue
+    int looksWithout = 0;
+    std::string job;  ///< the latest
+};
+
+class Supervisor
+{
+public:
+    Supervisor(SlurmQueue& queue, const SlurmOptions& options, const std::vector<EngineTask>& tasks,
+               const TaskListener& finished)
+        : queue_(queue),
+          options_(options),
+          tasks_(tasks),
+          finished_(finished),
+          progress_(tasks.size())
+    {
+    }
+
+    bool isDone() const { return told_ == tasks_.size(); }
+
+    /// One look at the queue, and what follows from it.
+    void look()
+    {
+        const auto queued = queue_.queued();
+        if (!queued) return wait();
+        lastAnswer_ = Clock::now();
+        std::map<fs::path, std::string> jobs;
+        for (const QueuedTask& task : *queued) jobs[task.folder] = task.job;
+        std::vector<std::size_t> open;
+        for (std::size_t i = 0; i < tasks_.size(); ++i)
+        {
+            if (progress_[i].isTold) continue;
+            const auto job = jobs.find(tasks_[i].folder);
+            if (isToSubmit(i, job == jobs.end() ? "" : job->second)) open.push_back(i);
+        }
+        submit(open);
+    }
+
+private:
+    void wait()
+    {
+        const auto now = Clock::now();
+        if (std::chrono::duration<double>(now - lastAnswer_).count() > options_.patience)
+            throw std::runtime_error("Slurm's controller has not answered for " +
+                                     toText(options_.patience) + " s: " + queue_.message() +
+                                     "; its jobs go on, start the sweep again to collect them");
+    }
+
+    bool isToSubmit(std::size_t i, const std::string& job)
+    {
+        Progress& progress = progress_[i];
+        if (fs::exists(tasks_[i].result))
+        {
+            tell(i, "");
+            return false;
+        }
+        if (!job.empty())
+        {
+            progress.job = job;
+            progress.attempts = std::max(1, progress.attempts);
+            progress.looksWithout = 0;
+            return false;
+        }
+        if (progress.attempts == 0) return true;
+        if (++progress.looksWithout < kLooksUntilLost) return false;
+        return isToRetry(i);
+    }
+
+    // Of a task that left the queue without a result.
+    bool isToRetry(std::size_t i)
+    {
+        if (const auto own = failureOf(tasks_[i].folder))
+        {
+            tell(i, *own);
+            return false;
+        }
+        if (progress_[i].attempts <= options_.retries) return true;
+        const fs::path log = tasks_[i].folder / kLogFile;
+        const std::string end = progress_[i].job.empty() ? "" : queue_.endOf(progress_[i].job);
+        const std::string words = fs::exists(log) ? lastWords(log) : "";
+        tell(i, "job " + progress_[i].job + " ended" + (end.empty() ? "" : " as " + end) +
+                    " without a result, after " + std::to_string(progress_[i].attempts) +
+                    " attempts (" + log.string() + ")" + (words.empty() ? "" : ": " + words));
+        return false;
+    }
+
+    void submit(const std::vector<std::size_t>& open)
+    {
+        if (open.empty()) return;
+        std::vector<fs::path> folders;
+        for (const std::size_t i : open)
+        {
+            prepareAttempt(tasks_[i].folder);
+            folders.push_back(tasks_[i].folder);
+        }
+        // Where only a part was taken, the next look finds it in the queue.
+        if (!queue_.submit(folders)) return;
+        for (const std::size_t i : open)
+        {
+            ++progress_[i].attempts;
+            progress_[i].looksWithout = 0;
+        }
+    }
+
+    void tell(std::size_t i, const std::string& failure)
+    {
+        progress_[i].isTold = true;
+        ++told_;
+        finished_(i, failure);
+    }
+
+    SlurmQueue& queue_;
+    const SlurmOptions& options_;
+    const std::vector<EngineTask>& tasks_;
+    const TaskListener& finished_;
+    std::vector<Progress> progress_;
+    std::size_t told_ = 0;
+    Clock::time_point lastAnswer_ = Clock::now();
+};
+
+// So that an interruption does not wait for the next look.
+void sleepUnlessStopped(double seconds, const std::atomic<bool>& stop)
+{
+    constexpr std::chrono::milliseconds kStep{50};
+    const auto end = Clock::now() + std::chrono::duration<double>(seconds);
+    while (!stop && Clock::now() < end) std::this_thread::sleep_for(kStep);
+}
+}  // namespace
+
+Engine slurmEngine(const WorkerCommand& worker, const SlurmOptions& options, const fs::path& folder)
+{
+    return [=](const std::vector<EngineTask>& tasks, const std::atomic<bool>& stop,
+               const TaskListener& finished)
+    {
+        SlurmQueue queue(worker, options, folder);
+        Supervisor supervisor(queue, options, tasks, finished);
+        for (supervisor.look(); !stop && !supervisor.isDone(); supervisor.look())
+            sleepUnlessStopped(options.pollSeconds, stop);
+        if (stop) queue.cancel();
+    };
+}
+
+}  // namespace vdamf
