@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "association/plane_index.h"
+#include "tracker/shared_cut.h"
 #include "tracker/track.h"
 #include "tracker/worker_pool.h"
 #include "vdamf/tracking/preprocessing/range_profile.h"
@@ -35,12 +36,13 @@ public:
     {
         if (!std::isfinite(frame.time) || (time_ && frame.time <= *time_))
             throw std::invalid_argument("frames must come in order of time");
-        const SegmentedFrame segmented = segment(frame);
+        SegmentedFrame segmented = segment(frame);
         enter(Stage::Prediction);
         predictTracks(frame.time);
         enter(Stage::Association);
-        const auto assignment =
-            assignClusters(targets(frame.origin), segmented.hits, options_.association);
+        const std::vector<PredictedTarget> predicted = targets(frame.origin);
+        segmented = withSharedClustersCut(std::move(segmented), predicted, options_);
+        const auto assignment = assignClusters(predicted, segmented.hits, options_.association);
         enter(Stage::Measurement);
         const auto sightings = measureTracks(segmented, assignment);
         enter(Stage::Update);
