@@ -77,7 +77,7 @@ TEST_P(ClosePassing, KeepsIdentities)
 }
 
 INSTANTIATE_TEST_SUITE_P(Cars, ClosePassing,
-                         testing::Values(Pass{"oncoming", 0.5, 4.0, -4.0},
+                         testing::Values(Pass{"oncoming", 0.4, 3.0, -3.0},
                                          Pass{"overtaking", 0.5, 8.0, 5.0},
                                          Pass{"past_a_parked_one", 0.4, 7.0, 0.0}),
                          [](const auto& test) { return std::string(test.param.name); });
