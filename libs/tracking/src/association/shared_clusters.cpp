@@ -47,10 +47,8 @@ struct Fit
     double off = 0.0;  // weight of the hits that are not on it
 };
 
-Fit fitOf(const Hits& hits, std::size_t target, const PredictedTarget& predicted,
-          const AssociationOptions& options)
+Fit fitOf(const Hits& hits, std::size_t target, const TargetSurface& surface)
 {
-    const TargetSurface surface(predicted, hits.time, options);
     Fit fit{target, std::vector<double>(hits.size()), 0.0};
     for (std::size_t i = 0; i < hits.size(); ++i)
     {
@@ -71,14 +69,14 @@ double onlyOn(const Fit& one, const Fit& other, const Hits& hits)
 
 std::vector<std::size_t> targetsOn(const Hits& hits, const std::vector<std::size_t>& inReach,
                                    const std::vector<PredictedTarget>& targets,
-                                   const AssociationOptions& options)
+                                   const CandidateFinder& finder)
 {
     const double least = std::max(kLeastHits, kLeastShare * hits.totalWeight);
     std::vector<Fit> fits;
     for (const std::size_t j : inReach)
     {
         if (targets[j].positionSigma >= kSurePosition) continue;
-        fits.push_back(fitOf(hits, j, targets[j], options));
+        fits.push_back(fitOf(hits, j, finder.surfaceOf(j, hits)));
         // As for most clusters: nothing is left for another target.
         if (fits.back().off < least) return {};
     }
@@ -111,13 +109,13 @@ std::vector<SharedCluster> sharedClusters(const std::vector<PredictedTarget>& ta
                                           const std::vector<Hits>& clusters,
                                           const AssociationOptions& options)
 {
-    const CandidateFinder finder(targets, options);
+    const CandidateFinder finder(targets, clusters, options);
     std::vector<SharedCluster> shared;
     for (std::size_t i = 0; i < clusters.size(); ++i)
     {
         const std::vector<std::size_t> inReach = finder.inReach(clusters[i]);
         if (inReach.size() < 2) continue;
-        std::vector<std::size_t> on = targetsOn(clusters[i], inReach, targets, options);
+        std::vector<std::size_t> on = targetsOn(clusters[i], inReach, targets, finder);
         if (on.size() >= 2) shared.push_back({i, std::move(on)});
     }
     return shared;
@@ -127,7 +125,8 @@ std::vector<Cluster> cutBetween(const Cluster& cluster, const std::vector<Predic
                                 double time, const AssociationOptions& options)
 {
     std::vector<TargetSurface> surfaces;
-    for (const PredictedTarget& target : targets) surfaces.emplace_back(target, time, options);
+    for (const PredictedTarget& target : targets)
+        surfaces.push_back(TargetSurface(target, options).at(time));
     std::vector<Cluster> pieces(targets.size());
     for (std::size_t i = 0; i < cluster.size(); ++i)
     {
