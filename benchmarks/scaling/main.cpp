@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <stdexcept>
+#include <thread>
 
 #include "scaling/recorded_frames.h"
 #include "scaling/stress_scene.h"
@@ -19,6 +20,7 @@ using namespace vdamf;
 struct Cli
 {
     std::vector<int> targets{50, 500, 5000, 10000};
+    std::vector<int> threads{1, 0};
     int frames = 13;
     std::string data;
     std::string out;
@@ -30,6 +32,11 @@ void declare(CLI::App& app, Cli& cli)
         ->delimiter(',')
         ->check(CLI::Range(0, 100000))
         ->capture_default_str();
+    app.add_option("--threads", cli.threads,
+                   "numbers of threads, by commas; 0: one for each processor")
+        ->delimiter(',')
+        ->check(CLI::Range(0, 256))
+        ->capture_default_str();
     app.add_option("--frames", cli.frames, "frames of each made scene, of which 4 do not count")
         ->check(CLI::Range(5, 1000))
         ->capture_default_str();
@@ -38,24 +45,31 @@ void declare(CLI::App& app, Cli& cli)
     app.footer("Example:\n  vdamf_benchmark_scaling --targets 50,500 --out scaling");
 }
 
-TimedRun timedDrive(const fs::path& drive)
+TrackerOptions withThreads(int threads)
+{
+    TrackerOptions options;
+    options.execution.threads = threads;
+    return options;
+}
+
+TimedRun timedDrive(const fs::path& drive, const std::vector<LadarFrame>& frames, int threads)
 {
     constexpr int kWarmUp = 5;
-    const std::vector<LadarFrame> frames = recordedFrames(drive);
     const auto source = [&](int k) { return frames[static_cast<std::size_t>(k)]; };
     // 2011_09_26_drive_0005_sync -> drive_0005
     std::string name = drive.filename().string();
     if (name.rfind("2011_09_26_", 0) == 0) name = name.substr(11, 10);
-    return {name, 0, 1, timedSequence(source, static_cast<int>(frames.size()), kWarmUp, {})};
+    return {name, 0, threads,
+            timedSequence(source, static_cast<int>(frames.size()), kWarmUp, withThreads(threads))};
 }
 
-TimedRun timedScene(int targets, int frames)
+TimedRun timedScene(int targets, int frames, int threads)
 {
     constexpr int kWarmUp = 4;
     const StressScene scene{targets};
-    TrackerOptions options;
+    TrackerOptions options = withThreads(threads);
     options.ground.maxRange = 300.0;
-    return {std::to_string(targets) + " targets", targets, 1,
+    return {std::to_string(targets) + " targets", targets, threads,
             timedSequence([&](int k) { return scene.frame(k); }, frames, kWarmUp, options)};
 }
 
@@ -68,11 +82,19 @@ void writeFile(const fs::path& path, const std::string& content)
 
 int run(const Cli& cli)
 {
+    std::vector<int> threads;
+    for (const int n : cli.threads)
+        threads.push_back(n > 0 ? n : static_cast<int>(std::thread::hardware_concurrency()));
     std::vector<TimedRun> runs;
     if (!cli.data.empty())
-        for (const fs::path& drive : recordedDrives(cli.data)) runs.push_back(timedDrive(drive));
+        for (const fs::path& drive : recordedDrives(cli.data))
+        {
+            const std::vector<LadarFrame> frames = recordedFrames(drive);
+            for (const int n : threads) runs.push_back(timedDrive(drive, frames, n));
+        }
     for (const int targets : cli.targets)
-        if (targets > 0) runs.push_back(timedScene(targets, cli.frames));
+        for (const int n : threads)
+            if (targets > 0) runs.push_back(timedScene(targets, cli.frames, n));
     std::printf("%s", stageTable(runs).c_str());
     if (cli.out.empty()) return 0;
     fs::create_directories(cli.out);

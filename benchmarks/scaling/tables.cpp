@@ -32,19 +32,29 @@ Curve reference(const char* name, std::initializer_list<Eigen::Vector2d> points)
 
 std::string stageTable(const std::vector<TimedRun>& runs)
 {
-    const auto row = [&](const char* title, const auto& value)
+    const auto row = [&](const char* title, const auto& value, const char* format = "%14.2f")
     {
         std::string line = text("%-24s", title);
-        for (const TimedRun& run : runs) line += text("%14.2f", value(run));
+        for (const TimedRun& run : runs)
+        {
+            char cell[32];
+            std::snprintf(cell, sizeof cell, format, value(run));
+            line += cell;
+        }
         return line + "\n";
     };
     std::string table = text("%-24s", "ms a frame, median");
     for (const TimedRun& run : runs) table += text("%14s", run.scene.c_str());
     table += "\n";
-    table += row("threads", [](const TimedRun& r) { return double(r.threads); });
-    table += row("thousand points", [](const TimedRun& r) { return r.times.points / 1e3; });
-    table += row("clusters", [](const TimedRun& r) { return r.times.clusters; });
-    table += row("tracks", [](const TimedRun& r) { return r.times.tracks; });
+    constexpr const char* kCount = "%14.0f";
+    table += row(
+        "threads", [](const TimedRun& r) { return double(r.threads); }, kCount);
+    table += row(
+        "points", [](const TimedRun& r) { return r.times.points; }, kCount);
+    table += row(
+        "clusters", [](const TimedRun& r) { return r.times.clusters; }, kCount);
+    table += row(
+        "tracks", [](const TimedRun& r) { return r.times.tracks; }, kCount);
     for (std::size_t k = 0; k < kStages; ++k)
         table += row(toString(static_cast<Stage>(k)),
                      [k](const TimedRun& r) { return kMs * r.times.stages[k].processor; });

@@ -41,6 +41,7 @@ Configuration readConfiguration(const IniDocument& document)
     reader.read("visibility", c.tracker.visibility);
     reader.read("motion", c.tracker.motion);
     reader.read("lifecycle", c.tracker.lifecycle);
+    reader.read("tracker", c.tracker.execution);
     reader.read("output", c.output);
     checkLimits(reader, c.tracker);
     reader.finish();
@@ -62,6 +63,7 @@ std::string toIni(const Configuration& c)
                  c.tracker.visibility);
     writer.write("motion", "Variable-axis steering model", c.tracker.motion);
     writer.write("lifecycle", "Start, confirmation and end of tracks", c.tracker.lifecycle);
+    writer.write("tracker", "How the tracker runs", c.tracker.execution);
     writer.write("output", "Annotated rawlog", c.output);
     return writer.text();
 }

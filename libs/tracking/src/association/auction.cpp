@@ -82,7 +82,7 @@ std::vector<std::vector<std::size_t>> assignClusters(const std::vector<Predicted
                                                      const std::vector<Hits>& clusters,
                                                      const AssociationOptions& options)
 {
-    const CandidateFinder finder(targets, options);
+    const CandidateFinder finder(targets, clusters, options);
     std::vector<std::vector<Candidate>> wishes;
     wishes.reserve(clusters.size());
     for (const Hits& hits : clusters) wishes.push_back(finder.candidates(hits));

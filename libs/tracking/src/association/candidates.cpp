@@ -9,9 +9,15 @@ namespace vdamf
 {
 namespace
 {
-constexpr double kSweep = 0.2;  // s, the most by which a cluster's time differs from the frame's
+// The most by which a cluster's time differs from the frame's, s.
+double sweepOf(const std::vector<Hits>& clusters)
+{
+    double sweep = 0.0;
+    for (const Hits& hits : clusters) sweep = std::max(sweep, std::abs(hits.time));
+    return sweep;
+}
 
-std::vector<PlaneBounds> reachOf(const std::vector<PredictedTarget>& targets,
+std::vector<PlaneBounds> reachOf(const std::vector<PredictedTarget>& targets, double sweep,
                                  const AssociationOptions& options)
 {
     const double gate = std::sqrt(squaredGate(options));
@@ -19,10 +25,14 @@ std::vector<PlaneBounds> reachOf(const std::vector<PredictedTarget>& targets,
     all.reserve(targets.size());
     for (const PredictedTarget& t : targets)
     {
-        const double reach = 0.5 * std::hypot(t.box.length, t.box.width) +
-                             gate * std::hypot(options.surfaceSigma, t.positionSigma) +
-                             kSweep * t.velocity.norm();
-        all.push_back(PlaneBounds::around(t.box.centre(), reach));
+        const double c = std::abs(std::cos(t.box.heading));
+        const double s = std::abs(std::sin(t.box.heading));
+        const Eigen::Vector2d half(0.5 * (c * t.box.length + s * t.box.width),
+                                   0.5 * (s * t.box.length + c * t.box.width));
+        const double margin =
+            gate * std::hypot(options.surfaceSigma, t.positionSigma) + sweep * t.velocity.norm();
+        const Eigen::Vector2d reach = half.array() + margin;
+        all.push_back({t.box.centre() - reach, t.box.centre() + reach});
     }
     return all;
 }
@@ -35,9 +45,9 @@ PlaneBounds boundsOf(const Hits& hits)
 }
 }  // namespace
 
-TargetSurface::TargetSurface(const PredictedTarget& target, double time,
-                             const AssociationOptions& options)
-    : centre_(target.box.centre() + time * target.velocity),
+TargetSurface::TargetSurface(const PredictedTarget& target, const AssociationOptions& options)
+    : centre_(target.box.centre()),
+      velocity_(target.velocity),
       half_(0.5 * target.box.length, 0.5 * target.box.width),
       c_(std::cos(target.box.heading)),
       s_(std::sin(target.box.heading)),
@@ -49,15 +59,25 @@ TargetSurface::TargetSurface(const PredictedTarget& target, double time,
 {
 }
 
+TargetSurface TargetSurface::at(double time) const
+{
+    TargetSurface then = *this;
+    then.centre_ += time * velocity_;
+    return then;
+}
+
 double squaredGate(const AssociationOptions& options)
 {
     return -2.0 * std::log1p(-options.gateProbability);
 }
 
 CandidateFinder::CandidateFinder(const std::vector<PredictedTarget>& targets,
+                                 const std::vector<Hits>& clusters,
                                  const AssociationOptions& options)
-    : targets_(targets), options_(options), index_(reachOf(targets, options))
+    : index_(reachOf(targets, sweepOf(clusters), options))
 {
+    surfaces_.reserve(targets.size());
+    for (const PredictedTarget& target : targets) surfaces_.emplace_back(target, options);
 }
 
 std::vector<std::size_t> CandidateFinder::inReach(const Hits& hits) const
@@ -71,7 +91,7 @@ std::vector<Candidate> CandidateFinder::candidates(const Hits& hits) const
     std::vector<Candidate> found;
     for (const std::size_t j : inReach(hits))
     {
-        const TargetSurface surface(targets_[j], hits.time, options_);
+        const TargetSurface surface = surfaceOf(j, hits);
         double sum = 0.0;
         for (std::size_t i = 0; i < hits.size(); ++i)
             sum += hits.weight[i] * surface.benefit(surface.squaredDistance(hits.x[i], hits.y[i]));

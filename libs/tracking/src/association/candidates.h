@@ -16,8 +16,11 @@ namespace vdamf
 class TargetSurface
 {
 public:
+    /// At the frame's time.
+    TargetSurface(const PredictedTarget& target, const AssociationOptions& options);
+
     /// At the time of some hits, s after the frame's.
-    TargetSurface(const PredictedTarget& target, double time, const AssociationOptions& options);
+    TargetSurface at(double time) const;
 
     /// Squared distance of a place from the box in standard deviations, 0 inside.
     double squaredDistance(double x, double y) const
@@ -34,6 +37,7 @@ public:
 
 private:
     Eigen::Vector2d centre_;
+    Eigen::Vector2d velocity_;
     Eigen::Vector2d half_;
     double c_, s_;
     double variance_;  // m^2
@@ -53,16 +57,23 @@ struct Candidate
 class CandidateFinder
 {
 public:
-    CandidateFinder(const std::vector<PredictedTarget>& targets, const AssociationOptions& options);
+    /// For these clusters and no others.
+    CandidateFinder(const std::vector<PredictedTarget>& targets, const std::vector<Hits>& clusters,
+                    const AssociationOptions& options);
 
     /// Targets within whose gates a cluster may have hits, rising.
     std::vector<std::size_t> inReach(const Hits& hits) const;
     /// Targets that a cluster benefits from, best first; the earlier one of equals.
     std::vector<Candidate> candidates(const Hits& hits) const;
 
+    /// Of a target at the time of some hits.
+    TargetSurface surfaceOf(std::size_t target, const Hits& hits) const
+    {
+        return surfaces_[target].at(hits.time);
+    }
+
 private:
-    const std::vector<PredictedTarget>& targets_;
-    const AssociationOptions& options_;
+    std::vector<TargetSurface> surfaces_;
     PlaneIndex index_;
 };
 

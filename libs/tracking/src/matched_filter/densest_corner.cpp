@@ -4,14 +4,19 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "types/wide_lanes.h"
 
 namespace vdamf
 {
 namespace
 {
-constexpr int kHeadings = 30;       // over a quarter turn
-constexpr double kBin = 0.1;        // m
-constexpr std::size_t kBins = 160;  // along an axis; what lies beyond is no vehicle
+constexpr int kHeadings = 30;         // over a quarter turn
+constexpr double kBin = 0.1;          // m
+constexpr std::uint16_t kBins = 160;  // along an axis; what lies beyond is no vehicle
 constexpr double kMiddle = 0.5 * kBin * static_cast<double>(kBins);  // m
 
 // The most hits in two neighbouring bins of one axis.
@@ -21,26 +26,31 @@ struct Peak
     double weight = 0.0;
 };
 
+// Weights of hits by their place along an axis.
 class AxisBins
 {
 public:
-    void clear() { bins_.fill(0.0F); }
-
-    void add(double at, double weight)
+    // `bin` may be kBins: nowhere. Parts of turns in the two tables, as most hits share a few bins
+    // and each would wait for the one before it.
+    void add(std::size_t part, std::uint16_t bin, float weight)
     {
-        const double bin = (at + kMiddle) / kBin;
-        if (bin >= 0.0 && bin < static_cast<double>(kBins))
-            bins_[static_cast<std::size_t>(bin)] += static_cast<float>(weight);
+        bins_[part][bin] += weight;
+        first_ = std::min(first_, bin);
+        last_ = std::max(last_, bin);
     }
 
     Peak peak() const
     {
         float most = 0.0F;
         std::size_t at = 0;
-        for (std::size_t k = 1; k < kBins; ++k)
+        float before = 0.0F;
+        const std::size_t end = std::min<std::size_t>(last_ + 1U, kBins - 1);
+        for (std::size_t k = first_; k <= end; ++k)
         {
-            const float both = bins_[k - 1] + bins_[k];
-            if (both <= most) continue;
+            const float here = bins_[0][k] + bins_[1][k];
+            const float both = before + here;
+            before = here;
+            if (both <= most || k == 0) continue;
             most = both;
             at = k;
         }
@@ -48,7 +58,63 @@ public:
     }
 
 private:
-    std::array<float, kBins> bins_{};
+    std::array<std::array<float, kBins + 1>, 2> bins_{};
+    std::uint16_t first_ = kBins;
+    std::uint16_t last_ = 0;
+};
+
+// Hits about an origin, with room for the bins that they lie in at a heading.
+class TurnedHits
+{
+public:
+    TurnedHits(const Hits& hits, const Eigen::Vector2d& origin)
+        : x_(hits.size()), y_(hits.size()), binX_(hits.size()), binY_(hits.size())
+    {
+        for (std::size_t i = 0; i < hits.size(); ++i)
+        {
+            x_[i] = static_cast<float>(hits.x[i] - origin.x());
+            y_[i] = static_cast<float>(hits.y[i] - origin.y());
+            weight_.push_back(static_cast<float>(hits.weight[i]));
+        }
+    }
+
+    void turnTo(double heading)
+    {
+        inWideLanes([
+            =, size = x_.size(), c = static_cast<float>(std::cos(heading)),
+            s = static_cast<float>(std::sin(heading)), px = x_.data(), py = y_.data(),
+            toX = binX_.data(), toY = binY_.data()
+        ]() __attribute__((always_inline)) {
+            constexpr auto kScale = static_cast<float>(1.0 / kBin);
+            constexpr auto kOffset = static_cast<float>(kMiddle / kBin);
+            constexpr auto kEnd = static_cast<float>(kBins);
+#pragma GCC ivdep
+            for (std::size_t i = 0; i < size; ++i)
+            {
+                const float x = (c * px[i] + s * py[i]) * kScale + kOffset;
+                const float y = (c * py[i] - s * px[i]) * kScale + kOffset;
+                toX[i] = static_cast<std::uint16_t>((x >= 0.0F) & (x < kEnd) ? x : kEnd);
+                toY[i] = static_cast<std::uint16_t>((y >= 0.0F) & (y < kEnd) ? y : kEnd);
+            }
+        });
+    }
+
+    // Along the heading and across it.
+    std::pair<Peak, Peak> peaks() const
+    {
+        AxisBins alongX;
+        AxisBins alongY;
+        for (std::size_t i = 0; i < weight_.size(); ++i)
+        {
+            alongX.add(i % 2, binX_[i], weight_[i]);
+            alongY.add(i % 2, binY_[i], weight_[i]);
+        }
+        return {alongX.peak(), alongY.peak()};
+    }
+
+private:
+    std::vector<float> x_, y_, weight_;
+    std::vector<std::uint16_t> binX_, binY_;
 };
 
 struct Corner
@@ -61,24 +127,14 @@ struct Corner
 
 Corner densestCorner(const Hits& hits, const Eigen::Vector2d& origin)
 {
-    AxisBins alongX;
-    AxisBins alongY;
+    TurnedHits turned(hits, origin);
     Corner best;
     for (int k = 0; k < kHeadings; ++k)
     {
         const double heading = 0.5 * kPi * k / kHeadings;
-        const double c = std::cos(heading);
-        const double s = std::sin(heading);
-        alongX.clear();
-        alongY.clear();
-        for (std::size_t i = 0; i < hits.size(); ++i)
-        {
-            const double dx = hits.x[i] - origin.x();
-            const double dy = hits.y[i] - origin.y();
-            alongX.add(c * dx + s * dy, hits.weight[i]);
-            alongY.add(c * dy - s * dx, hits.weight[i]);
-        }
-        const Corner corner{heading, alongX.peak(), alongY.peak()};
+        turned.turnTo(heading);
+        const auto [x, y] = turned.peaks();
+        const Corner corner{heading, x, y};
         if (corner.weight() > best.weight()) best = corner;
     }
     return best;

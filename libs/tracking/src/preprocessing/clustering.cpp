@@ -7,7 +7,7 @@
 
 #include "preprocessing/disjoint_sets.h"
 #include "preprocessing/plane_cells.h"
-#include "preprocessing/wide_lanes.h"
+#include "types/wide_lanes.h"
 
 namespace vdamf
 {

@@ -6,7 +6,7 @@
 #include <cstddef>
 
 #include "preprocessing/ground_surface.h"
-#include "preprocessing/wide_lanes.h"
+#include "types/wide_lanes.h"
 
 namespace vdamf
 {

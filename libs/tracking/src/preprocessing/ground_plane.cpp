@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "preprocessing/wide_lanes.h"
+#include "types/wide_lanes.h"
 
 namespace vdamf
 {

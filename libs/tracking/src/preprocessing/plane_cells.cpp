@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <cmath>
 
-#include "preprocessing/wide_lanes.h"
+#include "types/wide_lanes.h"
 
 namespace vdamf
 {

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "preprocessing/bearing.h"
-#include "preprocessing/wide_lanes.h"
+#include "types/wide_lanes.h"
 #include "vdamf/tracking/types/geometry.h"
 
 namespace vdamf

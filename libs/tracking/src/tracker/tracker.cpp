@@ -8,7 +8,9 @@
 #include "association/plane_index.h"
 #include "tracker/new_sightings.h"
 #include "tracker/one_time.h"
+#include "tracker/shared_cut.h"
 #include "tracker/track.h"
+#include "tracker/worker_pool.h"
 #include "vdamf/tracking/preprocessing/range_profile.h"
 
 namespace vdamf
@@ -26,18 +28,23 @@ OrientedBox relativeTo(OrientedBox box, const Eigen::Vector3d& origin)
 class Tracker::Impl
 {
 public:
-    explicit Impl(const TrackerOptions& options) : options_(options), filter_(options.motion) {}
+    explicit Impl(const TrackerOptions& options)
+        : options_(options), workers_(options.execution.threads)
+    {
+        for (std::size_t k = 0; k < workers_.size(); ++k) filters_.emplace_back(options.motion);
+    }
 
     FrameResult process(const LadarFrame& frame)
     {
         if (!std::isfinite(frame.time) || (time_ && frame.time <= *time_))
             throw std::invalid_argument("frames must come in order of time");
-        const SegmentedFrame segmented = segment(frame);
+        SegmentedFrame segmented = segment(frame);
         enter(Stage::Prediction);
         predictTracks(frame.time);
         enter(Stage::Association);
-        const auto assignment =
-            assignClusters(targets(frame.origin), segmented.hits, options_.association);
+        const std::vector<PredictedTarget> predicted = targets(frame.origin);
+        segmented = withSharedClustersCut(std::move(segmented), predicted, options_);
+        const auto assignment = assignClusters(predicted, segmented.hits, options_.association);
         enter(Stage::Measurement);
         const auto sightings = measureTracks(segmented, assignment);
         enter(Stage::Update);
@@ -59,7 +66,7 @@ private:
         if (observer_) observer_(&stage);
     }
 
-    SegmentedFrame segment(const LadarFrame& frame) const
+    SegmentedFrame segment(const LadarFrame& frame)
     {
         SegmentedFrame s;
         s.time = frame.time;
@@ -71,9 +78,10 @@ private:
         enter(Stage::Clustering);
         s.profile = rangeProfile(frame, above);
         s.clusters = clusterPoints(frame, above, options_.clustering);
-        s.hits.reserve(s.clusters.size());
-        for (const Cluster& c : s.clusters)
-            s.hits.push_back(projectHits(c, options_.measurement.mergeCell));
+        s.hits.resize(s.clusters.size());
+        workers_.forEach(
+            s.clusters.size(), [&](std::size_t i, std::size_t)
+            { s.hits[i] = projectHits(s.clusters[i], options_.measurement.mergeCell); });
         return s;
     }
 
@@ -81,7 +89,9 @@ private:
     {
         const double dt = time_ ? time - *time_ : 0.0;
         time_ = time;
-        for (Track& track : tracks_) track = predictedTrack(track, dt, filter_, options_.motion);
+        workers_.forEach(
+            tracks_.size(), [&](std::size_t j, std::size_t worker)
+            { tracks_[j] = predictedTrack(tracks_[j], dt, filters_[worker], options_.motion); });
     }
 
     std::vector<PredictedTarget> targets(const Eigen::Vector3d& origin) const
@@ -97,11 +107,15 @@ private:
     }
 
     std::vector<std::optional<Sighting>> measureTracks(
-        const SegmentedFrame& frame, const std::vector<std::vector<std::size_t>>& assignment) const
+        const SegmentedFrame& frame, const std::vector<std::vector<std::size_t>>& assignment)
     {
         std::vector<std::optional<Sighting>> sightings(tracks_.size());
-        for (std::size_t j = 0; j < tracks_.size(); ++j)
-            if (!assignment[j].empty()) sightings[j] = measure(tracks_[j], frame, assignment[j]);
+        workers_.forEach(tracks_.size(),
+                         [&](std::size_t j, std::size_t)
+                         {
+                             if (!assignment[j].empty())
+                                 sightings[j] = measure(tracks_[j], frame, assignment[j]);
+                         });
         return sightings;
     }
 
@@ -135,14 +149,16 @@ private:
 
     void updateTracks(double time, const std::vector<std::optional<Sighting>>& sightings)
     {
-        for (std::size_t j = 0; j < tracks_.size(); ++j)
-        {
-            Track& track = tracks_[j];
-            if (sightings[j])
-                track = sightedTrack(track, *sightings[j], filter_, options_);
-            else
-                miss(track, time);
-        }
+        workers_.forEach(tracks_.size(),
+                         [&](std::size_t j, std::size_t worker)
+                         {
+                             Track& track = tracks_[j];
+                             if (sightings[j])
+                                 track =
+                                     sightedTrack(track, *sightings[j], filters_[worker], options_);
+                             else
+                                 miss(track, time);
+                         });
     }
 
     void miss(Track& track, double time) const
@@ -216,8 +232,9 @@ private:
     }
 
     TrackerOptions options_;
-    VehicleKalmanFilter filter_;
-    std::vector<Track> tracks_;  // by rising id
+    WorkerPool workers_;
+    std::vector<VehicleKalmanFilter> filters_;  // of each worker
+    std::vector<Track> tracks_;                 // by rising id
     std::uint64_t nextId_ = 1;
     std::optional<double> time_;
 };

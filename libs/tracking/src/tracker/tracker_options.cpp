@@ -17,6 +17,7 @@ std::vector<std::string> TrackerOptions::problems() const
     add("visibility", problemsOf(visibility));
     add("motion", problemsOf(motion));
     add("lifecycle", problemsOf(lifecycle));
+    add("tracker", problemsOf(execution));
     return all;
 }
 

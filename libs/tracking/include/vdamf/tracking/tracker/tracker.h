@@ -50,6 +50,19 @@ struct LifecycleOptions
     }
 };
 
+struct ExecutionOptions
+{
+    int threads = 1;
+
+    template <class Self, class Visitor>
+    static void visit(Self& self, Visitor&& field)
+    {
+        field(self.threads, "threads", 0, 256,
+              "threads that measure and update tracks; 0: one for each processor; the results are "
+              "the same");
+    }
+};
+
 struct TrackerOptions
 {
     GroundOptions ground;
@@ -59,6 +72,7 @@ struct TrackerOptions
     VisibilityOptions visibility;
     MotionOptions motion;
     LifecycleOptions lifecycle;
+    ExecutionOptions execution;
 
     /// All problems, each with its section: "[clustering] gap_m = ...". Empty: valid.
     std::vector<std::string> problems() const;
@@ -78,7 +92,7 @@ enum class Stage
 const char* toString(Stage stage);
 
 /// Tracks all objects of vehicle size, vehicles or not (section 2). Pure: no clock, no file, no
-/// randomness; the same frames give the same results.
+/// randomness; the same frames give the same results, to the bit and with any number of threads.
 class Tracker
 {
 public:

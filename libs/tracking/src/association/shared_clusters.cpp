@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vdamf/tracking/association/shared_clusters.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "association/candidates.h"
+
+namespace vdamf
+{
+namespace
+{
+constexpr double kSurePosition = 0.7;  // m; vaguer targets do not tell where to cut
+constexpr double kLeastHits = 5.0;
+constexpr double kLeastShare = 0.1;  // of a cluster's hits
+// Squared distances in standard deviations: of hits that are on a target's surface, and of those
+// that are not. Wide gates would not do: the side of a car that drives close to another's is inside
+// both.
+constexpr double kOn = 0.5;
+constexpr double kOff = 1.0;
+
+// Whether an axis of the first box has both boxes' corners on different sides.
+bool hasSeparatingAxis(const OrientedBox& box, const OrientedBox& other)
+{
+    Eigen::Vector2d min = Eigen::Vector2d::Constant(1e30);
+    Eigen::Vector2d max = -min;
+    for (const Eigen::Vector2d& corner : corners(other))
+    {
+        const Eigen::Vector2d p = toBoxFrame(box, corner);
+        min = min.cwiseMin(p);
+        max = max.cwiseMax(p);
+    }
+    const Eigen::Vector2d half(0.5 * box.length, 0.5 * box.width);
+    return (min.array() > half.array()).any() || (max.array() < -half.array()).any();
+}
+
+bool overlap(const OrientedBox& a, const OrientedBox& b)
+{
+    return !hasSeparatingAxis(a, b) && !hasSeparatingAxis(b, a);
+}
+
+// Squared distances of the hits of a cluster from a target.
+struct Fit
+{
+    std::size_t target;
+    std::vector<double> squares;
+    double off = 0.0;  // weight of the hits that are not on it
+};
+
+Fit fitOf(const Hits& hits, std::size_t target, const TargetSurface& surface)
+{
+    Fit fit{target, std::vector<double>(hits.size()), 0.0};
+    for (std::size_t i = 0; i < hits.size(); ++i)
+    {
+        fit.squares[i] = surface.squaredDistance(hits.x[i], hits.y[i]);
+        fit.off += fit.squares[i] > kOff ? hits.weight[i] : 0.0;
+    }
+    return fit;
+}
+
+// Weight of the hits that are on the one and not on the other.
+double onlyOn(const Fit& one, const Fit& other, const Hits& hits)
+{
+    double weight = 0.0;
+    for (std::size_t i = 0; i < hits.size(); ++i)
+        if (one.squares[i] < kOn && other.squares[i] > kOff) weight += hits.weight[i];
+    return weight;
+}
+
+std::vector<std::size_t> targetsOn(const Hits& hits, const std::vector<std::size_t>& inReach,
+                                   const std::vector<PredictedTarget>& targets,
+                                   const CandidateFinder& finder)
+{
+    const double least = std::max(kLeastHits, kLeastShare * hits.totalWeight);
+    std::vector<Fit> fits;
+    for (const std::size_t j : inReach)
+    {
+        if (targets[j].positionSigma >= kSurePosition) continue;
+        fits.push_back(fitOf(hits, j, finder.surfaceOf(j, hits)));
+        // As for most clusters: nothing is left for another target.
+        if (fits.back().off < least) return {};
+    }
+    if (fits.size() < 2) return {};
+    const auto best = std::max_element(fits.begin(), fits.end(),
+                                       [](const Fit& a, const Fit& b) { return a.off < b.off; });
+    std::vector<std::size_t> sharing;
+    for (const Fit& fit : fits)
+    {
+        const bool shares =
+            &fit == &*best ||
+            (onlyOn(fit, *best, hits) >= least && onlyOn(*best, fit, hits) >= least &&
+             !overlap(targets[fit.target].box, targets[best->target].box));
+        if (shares) sharing.push_back(fit.target);
+    }
+    return sharing;
+}
+
+void append(Cluster& to, const Cluster& from, std::size_t i)
+{
+    to.x.push_back(from.x[i]);
+    to.y.push_back(from.y[i]);
+    to.z.push_back(from.z[i]);
+    to.height.push_back(from.height[i]);
+    if (!from.time.empty()) to.time.push_back(from.time[i]);
+}
+}  // namespace
+
+std::vector<SharedCluster> sharedClusters(const std::vector<PredictedTarget>& targets,
+                                          const std::vector<Hits>& clusters,
+                                          const AssociationOptions& options)
+{
+    const CandidateFinder finder(targets, clusters, options);
+    std::vector<SharedCluster> shared;
+    for (std::size_t i = 0; i < clusters.size(); ++i)
+    {
+        const std::vector<std::size_t> inReach = finder.inReach(clusters[i]);
+        if (inReach.size() < 2) continue;
+        std::vector<std::size_t> on = targetsOn(clusters[i], inReach, targets, finder);
+        if (on.size() >= 2) shared.push_back({i, std::move(on)});
+    }
+    return shared;
+}
+
+std::vector<Cluster> cutBetween(const Cluster& cluster, const std::vector<PredictedTarget>& targets,
+                                double time, const AssociationOptions& options)
+{
+    std::vector<TargetSurface> surfaces;
+    for (const PredictedTarget& target : targets)
+        surfaces.push_back(TargetSurface(target, options).at(time));
+    std::vector<Cluster> pieces(targets.size());
+    for (std::size_t i = 0; i < cluster.size(); ++i)
+    {
+        std::size_t nearest = 0;
+        double least = 1e30;
+        for (std::size_t k = 0; k < surfaces.size(); ++k)
+        {
+            const double square = surfaces[k].squaredDistance(cluster.x[i], cluster.y[i]);
+            if (square < least) nearest = k;
+            least = std::min(least, square);
+        }
+        append(pieces[nearest], cluster, i);
+    }
+    pieces.erase(std::remove_if(pieces.begin(), pieces.end(),
+                                [](const Cluster& piece) { return piece.size() == 0; }),
+                 pieces.end());
+    return pieces;
+}
+
+}  // namespace vdamf

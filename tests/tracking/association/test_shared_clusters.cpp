@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vdamf/tracking/association/shared_clusters.h"
+
+#include <gtest/gtest.h>
+
+namespace vdamf
+{
+namespace
+{
+// Hits along the lines from corner to corner.
+Cluster outline(const std::vector<Eigen::Vector2d>& corners, int hitsALine = 25)
+{
+    Cluster cluster;
+    for (std::size_t k = 0; k + 1 < corners.size(); ++k)
+        for (int i = 0; i < hitsALine; ++i)
+        {
+            const Eigen::Vector2d p =
+                corners[k] + (corners[k + 1] - corners[k]) * ((i + 0.5) / hitsALine);
+            cluster.x.push_back(static_cast<float>(p.x()));
+            cluster.y.push_back(static_cast<float>(p.y()));
+            cluster.z.push_back(0.5F);
+            cluster.height.push_back(0.5F + 0.01F * static_cast<float>(i));
+            cluster.time.push_back(0.001F * static_cast<float>(i));
+        }
+    return cluster;
+}
+
+// Rear and right side of a car with its centre at (x, y).
+std::vector<Eigen::Vector2d> rearAndSide(double x, double y, double length = 4.5)
+{
+    return {{x - 0.5 * length, y + 0.9}, {x - 0.5 * length, y - 0.9}, {x + 0.5 * length, y - 0.9}};
+}
+
+Cluster together(Cluster a, const Cluster& b)
+{
+    const auto join = [](std::vector<float>& to, const std::vector<float>& from)
+    { to.insert(to.end(), from.begin(), from.end()); };
+    join(a.x, b.x);
+    join(a.y, b.y);
+    join(a.z, b.z);
+    join(a.height, b.height);
+    join(a.time, b.time);
+    return a;
+}
+
+PredictedTarget car(double x, double y, double sigma = 0.2)
+{
+    return {{x, y, 0.0, 4.5, 1.8}, sigma, 0.1, 0.1, Eigen::Vector2d::Zero()};
+}
+
+std::vector<SharedCluster> shared(const std::vector<PredictedTarget>& targets,
+                                  const Cluster& cluster)
+{
+    return sharedClusters(targets, {projectHits(cluster, 0.1)}, {});
+}
+
+TEST(SharedClusters, ThatOfTwoCarsSideBySide)
+{
+    const Cluster both = together(outline(rearAndSide(10.0, 0.0)), outline(rearAndSide(10.5, 2.4)));
+    const auto found = shared({car(10.1, 0.1), car(30.0, 0.0), car(10.4, 2.5)}, both);
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found[0].cluster, 0U);
+    EXPECT_EQ(found[0].targets, (std::vector<std::size_t>{0, 2}));
+}
+
+TEST(SharedClusters, NotThatOfOneCarBesideAnother)
+{
+    const Cluster one = outline(rearAndSide(10.0, 0.0));
+    EXPECT_TRUE(shared({car(10.1, 0.1), car(10.4, 2.5)}, one).empty());
+}
+
+TEST(SharedClusters, NotThatOfACarWithTwoTracks)
+{
+    const Cluster one = outline(rearAndSide(10.0, 0.0, 8.0));
+    EXPECT_TRUE(shared({car(8.5, 0.0), car(11.5, 0.2)}, one).empty());
+}
+
+TEST(SharedClusters, NotThatOfATruckThatComesIntoView)
+{
+    // Its predicted box is the part that was seen so far; beside the rest stands a car.
+    const Cluster truck = outline(rearAndSide(12.0, 0.0, 9.0), 50);
+    EXPECT_TRUE(shared({car(9.75, 0.0), car(16.0, -2.9)}, truck).empty());
+}
+
+TEST(SharedClusters, NotWhereATargetsPlaceIsVague)
+{
+    const Cluster both = together(outline(rearAndSide(10.0, 0.0)), outline(rearAndSide(10.5, 2.4)));
+    EXPECT_TRUE(shared({car(10.1, 0.1), car(10.4, 2.5, 1.5)}, both).empty());
+}
+
+TEST(SharedClusters, NothingToFind)
+{
+    EXPECT_TRUE(sharedClusters({}, {Hits{}}, {}).empty());
+    EXPECT_TRUE(sharedClusters({car(0.0, 0.0), car(1.0, 0.0)}, {Hits{}}, {}).empty());
+}
+
+TEST(CutBetween, GivesEachTargetItsHits)
+{
+    const Cluster a = outline(rearAndSide(10.0, 0.0));
+    const Cluster b = outline(rearAndSide(10.5, 2.4), 15);
+    const std::vector<Cluster> pieces =
+        cutBetween(together(a, b), {car(10.1, 0.1), car(10.4, 2.5)}, 0.0, {});
+    ASSERT_EQ(pieces.size(), 2U);
+    EXPECT_EQ(pieces[0].x, a.x);
+    EXPECT_EQ(pieces[0].height, a.height);
+    EXPECT_EQ(pieces[0].time, a.time);
+    EXPECT_EQ(pieces[1].y, b.y);
+    EXPECT_EQ(pieces[1].z, b.z);
+}
+
+TEST(CutBetween, MovesTheBoxesToTheTimeOfTheCluster)
+{
+    PredictedTarget fast = car(8.0, 0.0);
+    fast.velocity = {20.0, 0.0};
+    const Cluster a = outline(rearAndSide(10.0, 0.0));
+    const std::vector<Cluster> pieces = cutBetween(a, {fast, car(4.4, 0.0)}, 0.1, {});
+    ASSERT_EQ(pieces.size(), 1U);
+    EXPECT_EQ(pieces[0].size(), a.size());
+}
+
+}  // namespace
+}  // namespace vdamf
