@@ -14,7 +14,7 @@ class Views {
     this.space = null;  // made when first asked for
     state.onChange((changed) => {
       if (changed.has("follow")) this.map.offset = [0, 0];
-      if (changed.has("centre")) this.map.centreOn(...state.centre.place);
+      if (changed.has("centre")) this.map.centreOn(state.centre.place, state.centre.close);
       if (changed.has("view")) this.showView();
       this.ask();
     });

@@ -24,8 +24,9 @@ class MapView {
   }
 
   /** Brings a place to the middle. */
-  centreOn(x, y) {
+  centreOn([x, y], close) {
     const anchor = this.anchor();
+    if (close) this.camera.scale = Math.max(14, this.camera.scale);
     this.offset = [x - anchor[0], y - anchor[1]];
   }
 

@@ -97,5 +97,5 @@ function showMistake(state, m) {
   const place = state.selectedPlace();
   if (!place) return;
   state.set({follow: "track"});
-  state.set({centre: {place}});
+  state.set({centre: {place, close: true}});
 }

@@ -24,7 +24,7 @@ class View3D {
     this.yaw = -2.2;
     this.pitch = 0.55;
     this.distance = 45;
-    this.gl = canvas.getContext("webgl", {antialias: true, preserveDrawingBuffer: true});
+    this.gl = canvas.getContext("webgl", {alpha: false, preserveDrawingBuffer: true});
     this.shown = null;
     if (!this.gl) return;
     this.program = programOf(this.gl);
