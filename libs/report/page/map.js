@@ -73,6 +73,9 @@ class MapView {
                         labelRank(state, track, i), 0);
       }
     }
+    if (state.layers.rays)
+      for (const {track, i} of state.run.tracksAt(state.frame))
+        drawRay(context, camera, state.run, state.frame, [track.x[i], track.y[i]]);
     const place = state.selectedPlace();
     if (place) drawRay(context, camera, state.run, state.frame, place);
     if (state.layers.labels) drawLabels(context, this.labels);

@@ -13,9 +13,9 @@ class State {
     this.view = "above";
     this.follow = "sensor";
     this.colours = run.truth ? "judged" : run.hasProbabilities ? "vehicle" : "identity";
-    this.layers = {hits: true, ground: true, overhead: false, boxes: true, faces: true,
-                   sigma: true, trails: true, truth: run.truth !== null, labels: true,
-                   filter: true};
+    this.layers = {hits: true, ground: true, overhead: false, clusters: false, boxes: true,
+                   faces: true, sigma: true, trails: true, rays: false,
+                   truth: run.truth !== null, labels: true, filter: true};
     this.listeners = [];
   }
 

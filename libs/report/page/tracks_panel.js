@@ -135,7 +135,8 @@ function headOf(order, fill) {
   const head = document.createElement("tr");
   for (const column of kColumns) {
     const cell = document.createElement("th");
-    cell.textContent = column.name + (order.column === column ? (order.sign > 0 ? " ▲" : " ▼") : "");
+    const arrow = order.sign > 0 ? " ▲" : " ▼";
+    cell.textContent = column.name + (order.column === column ? arrow : "");
     cell.className = column.left ? "sortable left" : "sortable";
     cell.addEventListener("click", () => {
       order.sign = order.column === column ? -order.sign : 1;
