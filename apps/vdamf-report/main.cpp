@@ -83,6 +83,12 @@ void declare(CLI::App& app, CommandLine& line)
                  "judge no tracks that the discriminator takes for clutter");
     app.add_flag("--overwrite", line.overwrite, "replace an existing page");
     app.add_flag("-q,--quiet", line.quiet, "no progress, no summary");
+    app.failure_message(
+        [](const CLI::App*, const CLI::Error& error)
+        {
+            return "vdamf-report: " + std::string(error.what()) +
+                   "\nRun with --help for more information.\n";
+        });
     app.footer(
         "Example:\n  vdamf-report street_tracked.rawlog -o street.html "
         "--truth datasets/street/truth.csv");

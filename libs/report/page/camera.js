@@ -12,11 +12,13 @@ class Camera {
   }
 
   toScreen(x, y) {
-    return [(x - this.x) * this.scale + this.width / 2, this.height / 2 - (y - this.y) * this.scale];
+    return [this.width / 2 + (x - this.x) * this.scale,
+            this.height / 2 - (y - this.y) * this.scale];
   }
 
   toWorld(px, py) {
-    return [(px - this.width / 2) / this.scale + this.x, (this.height / 2 - py) / this.scale + this.y];
+    return [this.x + (px - this.width / 2) / this.scale,
+            this.y - (py - this.height / 2) / this.scale];
   }
 
   /** Zooms so that the point of the world under a pixel stays there. */

@@ -74,8 +74,8 @@ function drawCloseHits(context, camera, state, store, track) {
 
 function drawCloseTruth(context, camera, state) {
   if (!state.layers.truth) return;
-  for (const {object, index, i} of state.run.objectsAt(state.frame))
-    drawObject(context, camera, state, object, index, i);
+  for (const {object, i} of state.run.objectsAt(state.frame))
+    drawLabelBox(context, camera, state, object, i, false, false);
 }
 
 /** The box measured in this frame; without a measurement, the track's. Seen faces are thick. */
@@ -86,7 +86,9 @@ function drawMeasured(context, camera, track, i, box) {
   context.lineWidth = 1.8;
   if (track.measured[i]) context.stroke();
   drawFaces(context, camera, corners, track.faces[i]);
+  context.globalAlpha = 0.5;
   drawFront(context, camera, track.box(i), 0);
+  context.globalAlpha = 1;
 }
 
 /** A dashed arrow from the edge of the picture: where the sensor is. */

@@ -70,9 +70,8 @@ function fillObject(panel, state, object) {
   const tracks = new Set(object.frame.map((frame) => run.matches[frame].byObject.get(index)?.track)
       .filter((id) => id !== undefined));
   const text = document.createElement("p");
-  text.textContent = `Labelled ${object.class}, there from ${run.times[object.first].toFixed(1)} s ` +
-      `to ${run.times[object.last].toFixed(1)} s. It counts in ${counted.length} frames; a track ` +
-      `is on it in ${found} of them.`;
+  text.textContent = `Labelled ${object.class}, there ${spanOf(run, object)}. It counts in ${
+      counted.length} frames; a track is on it in ${found} of them.`;
   panel.replaceChildren(heading(state, nameOfObject(object)), text);
   for (const id of tracks) {
     const button = document.createElement("button");
@@ -85,11 +84,16 @@ function fillObject(panel, state, object) {
   }
 }
 
+/** "from 1.0 s to 3.5 s" */
+function spanOf(run, life) {
+  return `from ${run.times[life.first].toFixed(1)} s to ${run.times[life.last].toFixed(1)} s`;
+}
+
 /** The row of the frame shown. */
 function factsOf(state, track) {
   const i = track.at(state.frame);
-  if (i < 0) return `<p class="soft">Not in the scene at this time: it is there from ${
-      state.run.times[track.first].toFixed(1)} s to ${state.run.times[track.last].toFixed(1)} s.</p>`;
+  if (i < 0) return `<p class="soft">Not in the scene at this time, but ${
+      spanOf(state.run, track)}.</p>`;
   const deg = (rad) => `${(rad * 180 / Math.PI).toFixed(1)}°`;
   const sigma = (variance) => Math.sqrt(variance).toFixed(2);
   const p = track.vehicleProbability(i);

@@ -99,10 +99,14 @@ function drawSigma(context, camera, track, i) {
 
 /** Labels: dashed; filled in the colour of misses where no track is on a vehicle that counts. */
 function drawObject(context, camera, state, object, index, i) {
-  const missed = state.run.matches[state.frame].missed.has(index);
+  drawLabelBox(context, camera, state, object, i,
+               state.run.matches[state.frame].missed.has(index), state.object === index);
+}
+
+function drawLabelBox(context, camera, state, object, i, missed, selected) {
   pathOf(context, camera, cornersOf(object.box(i)));
   context.strokeStyle = context.fillStyle = colour(missed ? "bad" : "truth");
-  context.lineWidth = state.object === index ? 2.5 : 1.5;
+  context.lineWidth = selected ? 2.5 : 1.5;
   if (missed) {
     context.globalAlpha = 0.3;
     context.fill();

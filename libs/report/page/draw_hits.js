@@ -4,8 +4,8 @@
 
 function drawHits(context, camera, state, hits, origin) {
   const size = Math.max(1.2, Math.min(3.5, camera.scale * 0.09));
-  for (const group of hits.groups) {
-    const style = hitStyle(state, group);
+  for (const [index, group] of hits.groups.entries()) {
+    const style = hitStyle(state, group, index);
     if (style === null) continue;
     context.fillStyle = style;
     for (let i = group.begin; i < group.end; ++i) {
@@ -17,12 +17,13 @@ function drawHits(context, camera, state, hits, origin) {
 }
 
 /** The colour of a group of hits, or null where it is not shown. */
-function hitStyle(state, group) {
+function hitStyle(state, group, index) {
   const layers = state.layers;
   if (!layers.hits) return null;
   if (group.kind === GROUND) return layers.ground ? colour("ground") : null;
   if (group.kind === OVERHEAD) return layers.overhead ? colour("overhead") : null;
   if (group.kind === STRUCTURE) return colour("structure");
+  if (layers.clusters) return identityColour(index);
   const track = state.run.byId.get(group.track);
   const i = track ? track.at(state.frame) : -1;
   return i >= 0 ? trackColour(state, track, i) : colour("cluster");

@@ -97,8 +97,8 @@ function labelOf(state, track, i) {
 
 /** "Van van_ahead", or "Car 3" where the id is a number. */
 function nameOfObject(object) {
-  return object.id.toLowerCase().includes(object.class.toLowerCase()) ? object.id
-                                                                     : `${object.class} ${object.id}`;
+  const tellsClass = object.id.toLowerCase().includes(object.class.toLowerCase());
+  return tellsClass ? object.id : `${object.class} ${object.id}`;
 }
 
 /** Whether there is room for the name of a track. */

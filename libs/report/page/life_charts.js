@@ -37,7 +37,8 @@ function chartsOf(state, track) {
 /** Degrees without jumps of a whole turn. */
 function unwrapped(angles) {
   const out = [];
-  for (const angle of angles) out.push(out.length ? nearestTurn(angle, out[out.length - 1]) : angle);
+  for (const angle of angles)
+    out.push(out.length ? nearestTurn(angle, out[out.length - 1]) : angle);
   return out;
 }
 

@@ -14,7 +14,7 @@ class Views {
     this.space = null;  // made when first asked for
     state.onChange((changed) => {
       if (changed.has("follow")) this.map.offset = [0, 0];
-      if (changed.has("centre")) this.map.centreOn(...state.centre.place);
+      if (changed.has("centre")) this.map.centreOn(state.centre.place, state.centre.close);
       if (changed.has("view")) this.showView();
       this.ask();
     });
@@ -80,7 +80,7 @@ function startControls(state) {
     on(id, "change", (event) => state.set({
       [id]: id === "speed" ? Number(event.target.value) : event.target.value}));
   const show = () => {
-    document.getElementById("play").innerHTML = state.playing ? "&#10074;&#10074;" : "&#9654;&#xFE0E;";
+    document.getElementById("play").textContent = state.playing ? "❚❚" : "▶\uFE0E";
     for (const id of ["colours", "follow"]) document.getElementById(id).value = state[id];
     document.getElementById("legend").innerHTML = legendOf(state)
         .map(([ink, text]) => `<div><i style="border-color:${ink}"></i>${text}</div>`).join("");
@@ -92,9 +92,10 @@ function startControls(state) {
   show();
 }
 
-const kLayers = {hits: "LADAR hits", ground: "Ground", overhead: "Overhead", boxes: "Boxes",
-                 faces: "Faces seen", sigma: "Uncertainty", trails: "Trails", truth: "Truth",
-                 labels: "Names", filter: "Filter in the close-up"};
+const kLayers = {hits: "LADAR hits", ground: "Ground", overhead: "Overhead",
+                 clusters: "A colour for each cluster", boxes: "Boxes", faces: "Faces seen",
+                 sigma: "Uncertainty", trails: "Trails", rays: "Rays to the sensor",
+                 truth: "Truth", labels: "Names", filter: "Filter in the close-up"};
 
 function startLayers(state) {
   const popup = document.getElementById("layers");

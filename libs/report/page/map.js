@@ -24,8 +24,9 @@ class MapView {
   }
 
   /** Brings a place to the middle. */
-  centreOn(x, y) {
+  centreOn([x, y], close) {
     const anchor = this.anchor();
+    if (close) this.camera.scale = Math.max(14, this.camera.scale);
     this.offset = [x - anchor[0], y - anchor[1]];
   }
 
@@ -72,6 +73,9 @@ class MapView {
                         labelRank(state, track, i), 0);
       }
     }
+    if (state.layers.rays)
+      for (const {track, i} of state.run.tracksAt(state.frame))
+        drawRay(context, camera, state.run, state.frame, [track.x[i], track.y[i]]);
     const place = state.selectedPlace();
     if (place) drawRay(context, camera, state.run, state.frame, place);
     if (state.layers.labels) drawLabels(context, this.labels);

@@ -2,7 +2,7 @@
 // Where the tracker errs, as a list to go through: a click goes there.
 "use strict";
 
-/** By kind, most telling first: title, what it means, colour, row in the line of time (none: not there). */
+/** By kind, most telling first: title, what it means, colour, row in the line of time. */
 const kMistakes = {
   never_found: {title: "Never found", row: 0, colour: "bad",
                 about: "Labelled vehicles that no track was ever on."},
@@ -97,5 +97,5 @@ function showMistake(state, m) {
   const place = state.selectedPlace();
   if (!place) return;
   state.set({follow: "track"});
-  state.set({centre: {place}});
+  state.set({centre: {place, close: true}});
 }

@@ -52,18 +52,21 @@ class Run {
     this.hasProbabilities =
         this.tracks.some((track) => track.probability.some((p) => p !== null));
     for (const track of this.tracks) track.follows = this.objectsOf(track);
+    this.tracksByFrame = this.times.map(() => []);
+    this.objectsByFrame = this.times.map(() => []);
+    for (const track of this.tracks)
+      track.frame.forEach((frame, i) => {
+        if (track.isPublished(i)) this.tracksByFrame[frame].push({track, i});
+      });
+    this.objects.forEach((object, index) => object.frame.forEach(
+        (frame, i) => this.objectsByFrame[frame].push({object, index, i})));
   }
 
   /** Published tracks of a frame: [{track, i}]. */
-  tracksAt(frame) {
-    return this.tracks.map((track) => ({track, i: track.at(frame)}))
-        .filter(({track, i}) => i >= 0 && track.isPublished(i));
-  }
+  tracksAt(frame) { return this.tracksByFrame[frame]; }
 
-  objectsAt(frame) {
-    return this.objects.map((object, index) => ({object, index, i: object.at(frame)}))
-        .filter(({i}) => i >= 0);
-  }
+  /** Labels of a frame: [{object, index, i}]. */
+  objectsAt(frame) { return this.objectsByFrame[frame]; }
 
   /** Objects that a track was on: [{object, frames}], the one with most frames first. */
   objectsOf(track) {
@@ -96,7 +99,9 @@ function readMatches(frame) {
           missed: new Set(frame.missed), false: new Set(frame.false)};
 }
 
-/** Mean and the like of the rows that count: a track's own words about itself. */
+function medianOf(values) { return [...values].sort((a, b) => a - b)[values.length >> 1]; }
+
+/** Of those that are known; null where none is. */
 function meanOf(values) {
   const known = values.filter((v) => v !== null);
   return known.length ? known.reduce((a, b) => a + b, 0) / known.length : null;

@@ -39,8 +39,8 @@ function sceneOf(state, shown, target) {
 }
 
 function addHits(scene, add, state, {hits, origin}) {
-  for (const group of hits.groups) {
-    const style = hitStyle(state, group);
+  for (const [index, group] of hits.groups.entries()) {
+    const style = hitStyle(state, group, index);
     if (style === null) continue;
     const ink = rgba(style);
     for (let k = group.begin; k < group.end; ++k)

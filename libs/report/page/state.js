@@ -13,9 +13,9 @@ class State {
     this.view = "above";
     this.follow = "sensor";
     this.colours = run.truth ? "judged" : run.hasProbabilities ? "vehicle" : "identity";
-    this.layers = {hits: true, ground: true, overhead: false, boxes: true, faces: true,
-                   sigma: true, trails: true, truth: run.truth !== null, labels: true,
-                   filter: true};
+    this.layers = {hits: true, ground: true, overhead: false, clusters: false, boxes: true,
+                   faces: true, sigma: true, trails: true, rays: false,
+                   truth: run.truth !== null, labels: true, filter: true};
     this.listeners = [];
   }
 
@@ -56,21 +56,26 @@ class State {
 
 /** Moves the time on while playing. */
 function playOn(state) {
-  let last = null;
-  let time = 0;
+  const run = state.run;
+  const end = run.count - 1;
+  let last = null;  // when the picture before was drawn, ms; null: at rest
+  let time = 0;     // of the run, s
   const tick = (now) => {
-    if (!state.playing) { last = null; return; }
-    const run = state.run;
-    if (last === null || run.frameAt(time) !== state.frame) time = run.times[state.frame];
-    else time += (now - last) / 1000 * state.speed;
-    last = now;
-    if (time > run.times[run.count - 1] + 0.2) state.set({playing: false});
-    else state.seek(run.frameAt(time));
+    if (!state.playing) {
+      last = null;
+      return;
+    }
     requestAnimationFrame(tick);
+    const wasMoved = run.frameAt(time) !== state.frame;  // by hand
+    time = last === null || wasMoved ? run.times[state.frame]
+                                     : time + (now - last) / 1000 * state.speed;
+    last = now;
+    if (time >= run.times[end]) state.set({frame: end, playing: false});
+    else state.seek(run.frameAt(time));
   };
   state.onChange((changed) => {
-    if (!changed.has("playing") || !state.playing) return;
-    if (state.frame === state.run.count - 1) state.seek(0);
+    if (!changed.has("playing") || !state.playing || last !== null) return;
+    if (state.frame === end) state.seek(0);
     last = null;
     requestAnimationFrame(tick);
   });

@@ -68,11 +68,14 @@ function fillMetrics(panel, metrics) {
   ]));
   panel.append(tableOf("Detection and tracking", [
     ["MOTA", percent(m.mota)], ["IDF1", percent(metrics.identity?.idf1)],
-    ["Precision (all objects count as found vehicles)", percent(m.precision)],
+    ["Precision", percent(m.precision)],
     ["Objects mostly tracked / partly / mostly lost",
      `${m.mostly_tracked} / ${m.partly_tracked} / ${m.mostly_lost}`],
     ["Breaks of tracks", m.fragmentations],
   ]));
+  panel.append(paragraph("The tracker follows every object of vehicle size. Where tracks on " +
+                         "bushes and walls are judged too, precision and MOTA count them as " +
+                         "false: --vehicles-only leaves them to the discriminator."));
 }
 
 /** How the filter's confidence sits with what it then measured. */

@@ -16,7 +16,7 @@ function summaryOf(run, track) {
   const last = track.frame.length - 1;
   return {track, id: track.id, what: whatIs(run, track), isVehicle: isVehicle(run, track),
           from: run.times[track.first], to: run.times[track.last],
-          speed: meanOf(track.speed), length: track.length[last], width: track.width[last]};
+          speed: medianOf(track.speed), length: track.length[last], width: track.width[last]};
 }
 
 /** Whether a track is for those who look for vehicles: by truth, discriminator, or unknown. */
@@ -39,55 +39,104 @@ function whatIs(run, track) {
 
 function fillTracks(panel, state) {
   const run = state.run;
-  const rows = run.tracks.filter((track) => track.wasPublished)
+  const all = run.tracks.filter((track) => track.wasPublished)
       .map((track) => summaryOf(run, track));
-  let order = {column: null, sign: 1};
-  const vehicles = rows.filter((row) => row.isVehicle).length;
-  const about = paragraph(`${rows.length} objects were tracked` + (vehicles < rows.length
-      ? `, ${vehicles} of them ${run.truth ? "labelled vehicles" : "held for vehicles"}. ` : ". ") +
-      "Those not in the scene at this time are pale. Click one for its history.");
-  const others = document.createElement("label");
-  others.className = "soft";
-  others.innerHTML = '<input type="checkbox"> show the other objects too';
-  others.hidden = vehicles === rows.length;
-  others.addEventListener("change", () => fill());
+  const vehicles = all.filter((row) => row.isVehicle).length;
+  const others = checkBox("show the other objects too");
+  others.hidden = vehicles === all.length;
+  const note = paragraph("");
   const table = document.createElement("table");
-  panel.append(about, others, table);
+  panel.append(paragraph(introduction(run, all.length, vehicles)), others, table, note);
+  const order = {column: null, sign: 1};
+  const rows = new TrackRows(state);
   const fill = () => {
-    rows.sort((a, b) => {
+    const chosen = all.filter((row) => row.isVehicle || others.firstChild.checked);
+    chosen.sort((a, b) => {
       if (order.column === null) return b.isVehicle - a.isVehicle || a.id - b.id;
       const [u, v] = [order.column.value(a), order.column.value(b)];
       return order.sign * (u < v ? -1 : u > v ? 1 : 0);
     });
-    const all = others.firstChild.checked;
-    table.replaceChildren(headOf(order, fill), ...rows.filter((row) => all || row.isVehicle)
-        .map((row) => rowOf(state, row)));
-    update();
+    const shown = chosen.slice(0, kMostRows);
+    note.textContent = shown.length < chosen.length
+        ? `The first ${kMostRows} are listed; the others can be picked in the scene.` : "";
+    table.replaceChildren(headOf(order, fill), ...rows.make(shown));
+    rows.update();
   };
-  const update = () => {
-    for (const row of table.querySelectorAll(".row")) {
-      const track = run.byId.get(Number(row.dataset.id));
-      const i = track.at(state.frame);
-      row.classList.toggle("absent", i < 0 || !track.isPublished(i));
-      row.classList.toggle("selected", state.track === track.id);
-      const shown = i >= 0 ? i : state.frame < track.first ? 0 : track.frame.length - 1;
-      row.querySelector(".swatch").style.background = trackColour(state, track, shown);
-    }
-  };
+  others.addEventListener("change", fill);
   state.onChange((changed) => {
-    update();
-    if (changed.has("track"))
-      table.querySelector(".row.selected")?.scrollIntoView({block: "nearest"});
+    rows.update();
+    if (changed.has("track")) rows.of(state.track)?.element.scrollIntoView({block: "nearest"});
   });
-  themeListeners.push(update);
+  themeListeners.push(() => rows.update());
   fill();
+}
+
+const kMostRows = 1000;
+
+function introduction(run, count, vehicles) {
+  const kind = run.truth ? "labelled vehicles" : "held for vehicles";
+  return `${count} objects were tracked` + (vehicles < count ? `, ${vehicles} of them ${kind}. `
+                                                             : ". ") +
+      "Those not in the scene at this time are pale. Click one for its history.";
+}
+
+function checkBox(text) {
+  const label = document.createElement("label");
+  label.className = "soft";
+  label.innerHTML = '<input type="checkbox"> ';
+  label.append(text);
+  return label;
+}
+
+/** The rows of the list, kept in step with the scene: only those that change are touched. */
+class TrackRows {
+  constructor(state) {
+    this.state = state;
+    this.byId = new Map();
+    this.present = new Set();
+    this.selected = null;
+  }
+
+  make(summaries) {
+    this.byId = new Map(summaries.map((summary) => {
+      const element = rowOf(this.state, summary);
+      element.classList.add("absent");
+      return [summary.id, {element, swatch: element.querySelector(".swatch"),
+                           track: summary.track}];
+    }));
+    for (const {track, swatch} of this.byId.values())
+      swatch.style.background = trackColour(this.state, track, 0);
+    this.present = new Set();
+    this.selected = null;
+    return [...this.byId.values()].map((row) => row.element);
+  }
+
+  of(id) { return this.byId.get(id); }
+
+  update() {
+    const present = new Set();
+    for (const {track, i} of this.state.run.tracksAt(this.state.frame)) {
+      const row = this.byId.get(track.id);
+      if (!row) continue;
+      present.add(track.id);
+      row.element.classList.remove("absent");
+      row.swatch.style.background = trackColour(this.state, track, i);
+    }
+    for (const id of this.present)
+      if (!present.has(id)) this.byId.get(id).element.classList.add("absent");
+    this.present = present;
+    this.byId.get(this.selected)?.element.classList.remove("selected");
+    this.selected = this.state.track;
+    this.byId.get(this.selected)?.element.classList.add("selected");
+  }
 }
 
 function headOf(order, fill) {
   const head = document.createElement("tr");
   for (const column of kColumns) {
     const cell = document.createElement("th");
-    cell.textContent = column.name + (order.column === column ? (order.sign > 0 ? " ▲" : " ▼") : "");
+    const arrow = order.sign > 0 ? " ▲" : " ▼";
+    cell.textContent = column.name + (order.column === column ? arrow : "");
     cell.className = column.left ? "sortable left" : "sortable";
     cell.addEventListener("click", () => {
       order.sign = order.column === column ? -order.sign : 1;

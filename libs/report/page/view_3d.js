@@ -24,7 +24,7 @@ class View3D {
     this.yaw = -2.2;
     this.pitch = 0.55;
     this.distance = 45;
-    this.gl = canvas.getContext("webgl", {antialias: true, preserveDrawingBuffer: true});
+    this.gl = canvas.getContext("webgl", {alpha: false, preserveDrawingBuffer: true});
     this.shown = null;
     if (!this.gl) return;
     this.program = programOf(this.gl);
@@ -102,8 +102,9 @@ class View3D {
     }
     for (const {track, i} of state.run.tracksAt(state.frame)) {
       const at = this.pixel(track.x[i], track.y[i], track.z[i] + track.height[i] + 0.3);
-      if (at && !isSubdued(state, track, i)) labels.push({x: at[0], y: at[1], text: labelOf(state, track, i),
-                           colour: trackColour(state, track, i), rank: labelRank(state, track, i)});
+      if (!at || isSubdued(state, track, i)) continue;
+      labels.push({x: at[0], y: at[1], text: labelOf(state, track, i),
+                   colour: trackColour(state, track, i), rank: labelRank(state, track, i)});
     }
     drawLabels(context, labels);
   }
