@@ -101,11 +101,12 @@ private:
         }
         if (progress_[i].attempts <= options_.retries) return true;
         const fs::path log = tasks_[i].folder / kLogFile;
-        const std::string end = progress_[i].job.empty() ? "" : queue_.endOf(progress_[i].job);
+        const std::string end = queue_.endOf(progress_[i].job);
         const std::string words = fs::exists(log) ? lastWords(log) : "";
         tell(i, "job " + progress_[i].job + " ended" + (end.empty() ? "" : " as " + end) +
-                    " without a result, after " + std::to_string(progress_[i].attempts) +
-                    " attempts (" + log.string() + ")" + (words.empty() ? "" : ": " + words));
+                    " without a result, attempt " + std::to_string(progress_[i].attempts) + " of " +
+                    std::to_string(options_.retries + 1) + " (" + log.string() + ")" +
+                    (words.empty() ? "" : ": " + words));
         return false;
     }
 
@@ -118,12 +119,13 @@ private:
             prepareAttempt(tasks_[i].folder);
             folders.push_back(tasks_[i].folder);
         }
-        // Where only a part was taken, the next look finds it in the queue.
-        if (!queue_.submit(folders)) return;
-        for (const std::size_t i : open)
+        const std::vector<std::string> jobs = queue_.submit(folders);
+        for (std::size_t k = 0; k < jobs.size(); ++k)
         {
-            ++progress_[i].attempts;
-            progress_[i].looksWithout = 0;
+            Progress& progress = progress_[open[k]];
+            ++progress.attempts;
+            progress.looksWithout = 0;
+            progress.job = jobs[k];
         }
     }
 

@@ -103,17 +103,21 @@ bool SlurmQueue::submitArray(const std::vector<fs::path>& tasks)
     return false;
 }
 
-bool SlurmQueue::submit(const std::vector<fs::path>& tasks)
+std::vector<std::string> SlurmQueue::submit(const std::vector<fs::path>& tasks)
 {
     const auto size = static_cast<std::size_t>(options_.arraySize);
+    std::vector<std::string> jobs;
     for (std::size_t begin = 0; begin < tasks.size(); begin += size)
     {
         const std::size_t end = std::min(tasks.size(), begin + size);
         const auto at = [&tasks](std::size_t i)
         { return tasks.begin() + static_cast<std::ptrdiff_t>(i); };
-        if (!submitArray({at(begin), at(end)})) return false;
+        if (!submitArray({at(begin), at(end)})) break;
+        const std::string array = split(message_, ';').front();  // "<job>" or "<job>;<cluster>"
+        for (std::size_t i = begin; i < end; ++i)
+            jobs.push_back(array + "_" + std::to_string(i - begin));
     }
-    return true;
+    return jobs;
 }
 
 std::optional<std::vector<QueuedTask>> SlurmQueue::queued()

@@ -27,9 +27,10 @@ class SlurmQueue
 public:
     SlurmQueue(WorkerCommand worker, SlurmOptions options, std::filesystem::path folder);
 
-    /// In array jobs of at most the options' size. Throws std::runtime_error with Slurm's words
-    /// where a job is refused. False: the controller cannot be reached.
-    bool submit(const std::vector<std::filesystem::path>& tasks);
+    /// In array jobs of at most the options' size. The jobs of the tasks, in their order: fewer
+    /// where the controller could not be reached for the rest. Throws std::runtime_error with
+    /// Slurm's words where a job is refused.
+    std::vector<std::string> submit(const std::vector<std::filesystem::path>& tasks);
 
     /// What waits or runs; nothing: the controller cannot be reached.
     std::optional<std::vector<QueuedTask>> queued();

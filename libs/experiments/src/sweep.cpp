@@ -56,6 +56,8 @@ private:
         for (const PlannedRun& planned : runs)
         {
             const bool isNew = failures.try_emplace(planned.row.run).second;
+            // The order of a run that was done when its sweep was killed.
+            if (isNew && planned.isDone) fs::remove_all(folder_ / "tasks" / planned.row.run);
             if (!isNew || planned.isDone) continue;
             tasks.push_back({folder_ / "tasks" / planned.row.run, planned.task.result});
             missing.push_back(&planned);

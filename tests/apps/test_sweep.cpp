@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vdamf-sweep through its command line: what it leaves, and what it does when it is stopped.
+#include <gmock/gmock.h>
+
+#include "apps/sweep_fixture.h"
+
+namespace vdamf
+{
+namespace
+{
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+namespace fs = std::filesystem;
+
+TEST_F(Sweep, LeavesWholeRunsTablesAPageAndTheBestConfiguration)
+{
+    writeSweep("", "measurement.sigma_m = 0.1 : 0.1 : 0.3");
+    const Outcome first = sweep("out");
+    ASSERT_EQ(first.exitCode, 0) << first.output;
+    EXPECT_THAT(first.output, HasSubstr("3 of 3"));
+    EXPECT_EQ(runsIn("out"), 3U);
+    for (const fs::directory_entry& run : fs::directory_iterator(at("out/runs")))
+        for (const char* name : {"config.ini", "tracks.csv", "metrics.json", "log.txt"})
+            EXPECT_GT(fs::file_size(run.path() / name), 0U) << name;
+    EXPECT_TRUE(fs::is_empty(at("out/tasks")));
+    EXPECT_THAT(contentOf("out/table.csv"),
+                AllOf(HasSubstr("setting,recording,measurement.sigma_m,status,run,hota.hota,"),
+                      HasSubstr("\n3,street,0.3,done,")));
+    EXPECT_THAT(contentOf("out/report.html"), HasSubstr("</html>"));
+    // What is best can be tracked with.
+    const Outcome config =
+        runApp("vdamf-track", "--print-config -c '" + at("out/best.ini").string() + "'");
+    EXPECT_EQ(config.exitCode, 0) << config.output;
+}
+
+TEST_F(Sweep, RunsThatAreDoneAreSkipped)
+{
+    writeSweep("", "measurement.sigma_m = 0.1 : 0.1 : 0.3");
+    ASSERT_EQ(sweep("out").exitCode, 0);
+    const std::string table = contentOf("out/table.csv");
+    EXPECT_THAT(sweep("out", "--dry-run").output, HasSubstr("3 runs, 3 of them done"));
+    const Outcome again = sweep("out");
+    EXPECT_THAT(again.output, HasSubstr("3 were done before"));
+    EXPECT_EQ(contentOf("out/table.csv"), table);
+    writeSweep("", "measurement.sigma_m = 0.1 : 0.1 : 0.4");
+    EXPECT_THAT(sweep("out").output, HasSubstr("4 runs (3 were done before)"));
+    EXPECT_THAT(sweep("out", "--no-resume").output, Not(HasSubstr("done before")));
+}
+
+TEST_F(Sweep, KilledAndStartedAgainGivesTheSameTable)
+{
+    writeSweep("", "measurement.sigma_m = 0.10 : 0.02 : 0.32");
+    ASSERT_EQ(sweep("whole", "-q").exitCode, 0);
+    const pid_t process = start("killed", "-j 2");
+    ASSERT_TRUE(waitFor([&] { return runsIn("killed") >= 3; }));
+    ::kill(process, SIGKILL);
+    EXPECT_EQ(waitForExit(process), 137);
+    const std::size_t done = runsIn("killed");
+    ASSERT_LT(done, 12U);
+    for (const fs::directory_entry& run : fs::directory_iterator(at("killed/runs")))
+        EXPECT_TRUE(fs::exists(run.path() / "metrics.json") && fs::exists(run.path() / "log.txt"));
+    const Outcome again = sweep("killed");
+    EXPECT_EQ(again.exitCode, 0) << again.output;
+    EXPECT_THAT(again.output, HasSubstr("done before"));
+    EXPECT_EQ(contentOf("killed/table.csv"), contentOf("whole/table.csv"));
+    EXPECT_EQ(runsIn("killed"), 12U);
+    EXPECT_TRUE(fs::is_empty(at("killed/tasks")));
+}
+
+TEST_F(Sweep, InterruptedItSaysHowToGoOn)
+{
+    writeSweep("", "measurement.sigma_m = 0.10 : 0.01 : 0.40");
+    const pid_t process = start("out", "-j 1");
+    ASSERT_TRUE(waitFor([&] { return runsIn("out") >= 1; }));
+    EXPECT_THAT(sweep("out").output, HasSubstr("another vdamf-sweep works in this folder"));
+    ::kill(process, SIGINT);
+    EXPECT_EQ(waitForExit(process), 1);
+    EXPECT_THAT(contentOf("out.txt"), HasSubstr("interrupted: the runs that are done stay"));
+    EXPECT_FALSE(fs::exists(at("out/table.csv")));
+}
+
+TEST_F(Sweep, AFailedRunIsToldWithItsLog)
+{
+    make("bad/broken.rawlog", "this is no rawlog");
+    make("bad/truth.csv", "neither a truth");
+    writeSweep("", "measurement.sigma_m = 0.1, 0.2",
+               "[recordings bad]\nrawlogs = bad/*.rawlog\ntruth = {folder}/truth.csv\n");
+    const Outcome outcome = sweep("out");
+    EXPECT_EQ(outcome.exitCode, 1);
+    EXPECT_THAT(outcome.output, AllOf(HasSubstr("broken, setting 1 failed: "),
+                                      HasSubstr("2 runs failed; their logs are in")));
+    EXPECT_EQ(runsIn("out"), 2U);
+    EXPECT_THAT(contentOf("out/table.csv"),
+                AllOf(HasSubstr("1,street,0.1,done"), HasSubstr("1,broken,0.1,failed")));
+    EXPECT_THAT(contentOf("out/report.html"), HasSubstr("broken.rawlog"));
+    EXPECT_FALSE(fs::exists(at("out/best.ini")));
+    std::size_t logs = 0;
+    for (const fs::directory_entry& task : fs::directory_iterator(at("out/tasks")))
+        logs += fs::exists(task.path() / "log.txt") ? 1 : 0;
+    EXPECT_EQ(logs, 2U);
+}
+
+TEST_F(Sweep, RecordingsWithTheSameContentAreOneRun)
+{
+    const std::string street = VDAMF_SOURCE_DIR "/datasets/street/";
+    fs::create_symlink(street + "street.rawlog", at("copy.rawlog"));
+    writeSweep("", "measurement.sigma_m = 0.1, 0.2",
+               "[recordings copy]\nrawlogs = copy.rawlog\ntruth = " + street +
+                   "truth.csv\nfirst_frame = 20\nlast_frame = 28\n");
+    ASSERT_EQ(sweep("out").exitCode, 0);
+    EXPECT_EQ(runsIn("out"), 2U);
+    EXPECT_THAT(contentOf("out/table.csv"), HasSubstr("\n2,copy,0.2,done,"));
+}
+
+TEST_F(Sweep, SearchesAndDraws)
+{
+    writeSweep("plan = optimise\ncount = 5\ngoal = min errors.position_m.median",
+               "measurement.sigma_m = 0.1 : 0.4");
+    const Outcome search = sweep("search");
+    EXPECT_EQ(search.exitCode, 0) << search.output;
+    EXPECT_LE(runsIn("search"), 5U);
+    EXPECT_GE(runsIn("search"), 3U);
+    EXPECT_THAT(contentOf("search/table.csv"), HasSubstr("\n1,street,0.25,done"));
+    const std::string table = contentOf("search/table.csv");
+    EXPECT_EQ(sweep("search").exitCode, 0);
+    EXPECT_EQ(contentOf("search/table.csv"), table);
+    writeSweep("plan = random\ncount = 3\nseed = 5", "measurement.sigma_m = log 0.05 : 0.5");
+    EXPECT_EQ(sweep("drawn").exitCode, 0);
+    EXPECT_EQ(runsIn("drawn"), 3U);
+}
+
+TEST_F(Sweep, BadUse)
+{
+    writeSweep("", "measurement.sigma = 0.1, 0.2");
+    const Outcome unknown = sweep("out");
+    EXPECT_EQ(unknown.exitCode, 2);
+    EXPECT_THAT(unknown.output, HasSubstr("did you mean 'sigma_m'?"));
+    EXPECT_FALSE(fs::exists(at("out")));
+    EXPECT_EQ(runApp("vdamf-sweep", "").exitCode, 2);
+    EXPECT_EQ(runApp("vdamf-sweep", "-c x.ini --engine cloud").exitCode, 2);
+    EXPECT_EQ(runApp("vdamf-sweep", "--help").exitCode, 0);
+    writeSweep("", "measurement.sigma_m = 0.1, 0.2");
+    const Outcome own = sweep(".");
+    EXPECT_EQ(own.exitCode, 2);
+    EXPECT_THAT(own.output, HasSubstr("sweep.ini"));
+    EXPECT_THAT(runApp("vdamf-sweep", "--print-metrics").output, HasSubstr("\nhota.hota\n"));
+}
+
+TEST_F(Sweep, TheExamplePasses)
+{
+    const Outcome plan =
+        runApp("vdamf-sweep", "-c '" VDAMF_SOURCE_DIR "/datasets/sweeps/street.ini' --dry-run");
+    EXPECT_EQ(plan.exitCode, 0) << plan.output;
+    EXPECT_THAT(plan.output, HasSubstr("12 runs, "));
+}
+
+}  // namespace
+}  // namespace vdamf
