@@ -62,9 +62,11 @@ ImageGeometry geometryOf(const RotatingScan& scan)
         return velodyneGeometry(scan, VelodyneModel::VLP16);
     if (rows == 32 && scan.lidarModel == "HDL-32E")
         return velodyneGeometry(scan, VelodyneModel::HDL32E);
+    if (rows == 64 && scan.lidarModel == "HDL-64E")
+        return velodyneGeometry(scan, VelodyneModel::HDL64E);
     throw std::runtime_error("the elevations of its " + std::to_string(rows) +
                              " rows are not known: sensor '" + scan.lidarModel +
-                             "'; VLP-16, HDL-32E and single rows are");
+                             "'; VLP-16, HDL-32E, HDL-64E and single rows are");
 }
 
 void checkNumbers(const RotatingScan& scan)
