@@ -5,8 +5,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "observations.h"
-#include "vdamf/rawlog/rawlog_writer.h"
+#include "recording.h"
 
 namespace vdamf
 {
@@ -16,8 +15,8 @@ namespace
 class PoseWriter
 {
 public:
-    PoseWriter(const Scenario& scenario, RawlogWriter& rawlog)
-        : scenario_(scenario), rawlog_(rawlog), ins_(scenario)
+    PoseWriter(const Scenario& scenario, Recording& recording)
+        : recording_(recording), ins_(scenario)
     {
     }
 
@@ -28,7 +27,7 @@ public:
         {
             const InsSample sample = ins_.next();
             if (sample.isLost) continue;
-            rawlog_.write(poseObservation(scenario_, sample));
+            recording_.add(sample);
             ++written_;
         }
     }
@@ -36,8 +35,7 @@ public:
     std::size_t written() const { return written_; }
 
 private:
-    const Scenario& scenario_;
-    RawlogWriter& rawlog_;
+    Recording& recording_;
     InsSimulator ins_;
     std::size_t written_ = 0;
 };
@@ -59,14 +57,14 @@ SimulationTotals runSimulation(const Scenario& scenario, const SimulationOutputs
     RawlogWriter::Options options;
     options.gzLevel = outputs.gzLevel;
     options.existing = outputs.existing;
-    RawlogWriter rawlog(outputs.rawlog, options);
+    Recording recording(scenario, outputs.rawlog, options);
     std::optional<OutputFile> truth;
     if (!outputs.truth.empty())
     {
         truth.emplace(outputs.truth, outputs.existing, OutputFile::Unfinished::Discard);
         truth->write(truthHeader());
     }
-    PoseWriter poses(scenario, rawlog);
+    PoseWriter poses(scenario, recording);
     SimulationTotals totals;
     for (int i = 0; i < scenario.frames(); ++i)
     {
@@ -74,7 +72,7 @@ SimulationTotals runSimulation(const Scenario& scenario, const SimulationOutputs
         for (const SimulatedScan& scan : frame.scans)
         {
             poses.writeUntil(scan.time - scenario.run.startTime);
-            rawlog.write(*scanObservation(scenario, scan));
+            recording.add(scan);
             totals.returns += countReturns(scan);
         }
         totals.scans += frame.scans.size();
@@ -90,7 +88,7 @@ SimulationTotals runSimulation(const Scenario& scenario, const SimulationOutputs
     // One pose at or behind the end, so that the last scan is between two poses.
     poses.writeUntil(scenario.run.duration + 1.0 / scenario.run.insRate);
     totals.poses = poses.written();
-    rawlog.commit();
+    recording.commit();
     if (truth) truth->commit();
     return totals;
 }

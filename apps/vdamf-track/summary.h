@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <string>
 
@@ -15,6 +16,48 @@ inline std::string joinedInQuotes(const std::vector<std::string>& names)
     std::string all;
     for (const std::string& name : names) all += (all.empty() ? "'" : ", '") + name + "'";
     return all;
+}
+
+/// What is wrong with the poses, on stderr.
+inline void warnOfPoses(const TrackRawlogSummary& s, const std::string& input)
+{
+    constexpr double kDegrees = 57.29577951308232;
+    constexpr double kDoubtful = 20.0;  // deg
+    const auto number = [](std::uint64_t n) { return static_cast<unsigned long long>(n); };
+    if (s.ins.gaps > 0)
+        std::fprintf(stderr,
+                     "%s: %llu times without poses, the longest %.2f s, the first after %.3f s "
+                     "(UNIX)\n",
+                     input.c_str(), number(s.ins.gaps), s.ins.longestGap, s.ins.firstGapAt);
+    if (s.ins.timeJumps > 0)
+        std::fprintf(stderr, "%s: the clock of the poses goes back %llu times\n", input.c_str(),
+                     number(s.ins.timeJumps));
+    const double turned = kDegrees * s.ins.imuLessCourse.value_or(0.0);
+    if (std::abs(turned) > kDoubtful)
+        std::fprintf(stderr,
+                     "%s: the heading of the IMU is %.0f degrees from the course: set [ins] "
+                     "imu_yaw_offset_deg, or gps_heading = course\n",
+                     input.c_str(), turned);
+}
+
+/// "692 read, 3 unknown, 2 damaged".
+inline std::string entriesText(const RawlogSummary& read)
+{
+    const auto count = [](std::uint64_t n, const char* what)
+    { return n > 0 ? ", " + std::to_string(n) + " " + what : std::string(); };
+    return std::to_string(read.objects) + " read" + count(read.unknown, "of unknown classes") +
+           count(read.damaged, "damaged") + count(read.nulls, "empty") +
+           (read.truncated ? ", cut short" : "");
+}
+
+/// "CObservationRobotPose 'ins', 1042 samples, 3 out of order, 2 of one time".
+inline std::string posesText(const TrackRawlogSummary& s)
+{
+    const auto count = [](std::uint64_t n, const char* what)
+    { return n > 0 ? ", " + std::to_string(n) + " " + what : std::string(); };
+    return s.insSource + count(s.ins.taken, "samples") + count(s.ins.outOfOrder, "out of order") +
+           count(s.ins.duplicates, "of a time that was there") +
+           count(s.ins.impossible, "impossible ones left out");
 }
 
 /// What was skipped or left out, on stderr.
@@ -43,6 +86,9 @@ inline void warn(const TrackRawlogSummary& s, const std::string& input)
     line(s.read.damaged, "damaged entries left out");
     for (const std::string& problem : s.read.problems)
         std::fprintf(stderr, "  %s\n", problem.c_str());
+    const std::uint64_t more = s.read.unknown + s.read.damaged - s.read.problems.size();
+    if (more > 0) std::fprintf(stderr, "  and %llu more\n", static_cast<unsigned long long>(more));
+    warnOfPoses(s, input);
 }
 
 inline void printConsistency(std::FILE* to, const NisReport& nis)
@@ -103,7 +149,8 @@ inline void printSummary(std::FILE* to, const TrackRawlogSummary& s)
     row("frames", std::to_string(s.frames) + " of " + std::to_string(s.scans) + " scans" +
                       (s.merged > 0 ? ", " + std::to_string(s.merged) + " merged" : ""));
     row("objects confirmed", std::to_string(s.tracksConfirmed));
-    row("INS poses", s.insSource);
+    row("INS poses", posesText(s));
+    row("entries", entriesText(s.read));
     printConsistency(to, s.nis);
     printTimes(to, s);
 }

@@ -117,6 +117,44 @@ TEST_F(ScanTest, LoadsPointsFromTheirFileForAWhile)
     EXPECT_FALSE(observation.pointcloud);
 }
 
+TEST_F(ScanTest, FindsExternalFilesWhereverTheRawlogLies)
+{
+    using Format = CObservationPointCloud::ExternalStorageFormat;
+    const std::filesystem::path folder = at("drives");
+    CObservationPointCloud named = test::pointCloud(0);
+    named.pointcloud.reset();
+    named.setAsExternalStorage("cloud_1.bin", Format::MRPT_Serialization);
+    for (const char* place : {"day_Images", "day_images", "day_IMAGES", "."})
+    {
+        std::filesystem::create_directories(folder / place);
+        CObservationPointCloud observation = test::pointCloud(7);
+        observation.setAsExternalStorage(folder / place / "cloud_1.bin",
+                                         Format::MRPT_Serialization);
+        observation.unload();
+        for (const char* rawlog : {"day.rawlog", "day.rawlog.gz"})
+        {
+            const auto scan = scanFrom(named, ExternalFiles(folder / rawlog));
+            EXPECT_EQ(scan->points.size(), 7U) << place << ", " << rawlog;
+        }
+        // From a folder of another machine.
+        CObservationPointCloud moved = test::pointCloud(0);
+        moved.pointcloud.reset();
+        moved.setAsExternalStorage("/home/other/day_Images/cloud_1.bin",
+                                   Format::MRPT_Serialization);
+        EXPECT_EQ(scanFrom(moved, ExternalFiles(folder / "day.rawlog"))->points.size(), 7U);
+        std::filesystem::remove_all(folder);
+    }
+    std::filesystem::create_directories(folder);
+    const std::string error =
+        errorOf([&] { scanFrom(named, ExternalFiles(folder / "day.rawlog")); });
+    EXPECT_NE(error.find("'cloud_1.bin' is missing; searched in " + folder.string()),
+              std::string::npos)
+        << error;
+    test::writeBytes(folder / "cloud_1.bin", "this is no cloud");
+    EXPECT_THROW(scanFrom(named, ExternalFiles(folder / "day.rawlog")), std::runtime_error);
+    EXPECT_TRUE(std::filesystem::exists(folder / "cloud_1.bin"));
+}
+
 TEST_F(ScanTest, SaysWhatItCannotRead)
 {
     CObservationPointCloud observation = test::pointCloud(0);

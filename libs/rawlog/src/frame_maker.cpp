@@ -37,7 +37,7 @@ std::optional<LadarFrame> FrameMaker::frameOf(const PendingScan& scan,
     }
     try
     {
-        const Scan hits = *scanFrom(*scan.observation);
+        const Scan hits = *scanFrom(*scan.observation, files_);
         if (!options_.deskew) return toLadarFrame(hits, *pose);
         DeskewedFrame deskewed = toLadarFrame(hits, *pose, ins_);
         if (!deskewed.posesCoverScan) ++summary_.partlyDeskewed;

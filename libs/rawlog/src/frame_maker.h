@@ -15,8 +15,8 @@ namespace vdamf
 class FrameMaker
 {
 public:
-    FrameMaker(const ScanOptions& options, const InsTrajectory& ins, TrackRawlogSummary& summary)
-        : options_(options), ins_(ins), summary_(summary)
+    FrameMaker(const TrackRawlogJob& job, const InsTrajectory& ins, TrackRawlogSummary& summary)
+        : options_(job.configuration.scan), files_(job.input), ins_(ins), summary_(summary)
     {
     }
 
@@ -31,6 +31,7 @@ private:
                                       const std::optional<VehiclePose>& pose);
 
     const ScanOptions& options_;
+    ExternalFiles files_;
     const InsTrajectory& ins_;
     TrackRawlogSummary& summary_;
 };

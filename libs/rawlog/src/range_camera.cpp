@@ -5,13 +5,34 @@
 
 #include <stdexcept>
 
+#include "vdamf/rawlog/allocation_limit.h"
+
 namespace vdamf
 {
-PointCloud hitsOf(const mrpt::obs::CObservation3DRangeScan& scan)
+namespace
 {
-    // Loading and projecting change the object.
-    mrpt::obs::CObservation3DRangeScan copy = scan;
-    copy.load();
+using Camera = mrpt::obs::CObservation3DRangeScan;
+
+/// Loading and projecting change the object: a copy, with all that is in external files.
+class LoadedCamera : public Camera
+{
+public:
+    LoadedCamera(const Camera& scan, const ExternalFiles& files) : Camera(scan)
+    {
+        constexpr std::size_t kLargestAllocation = std::size_t{256} << 20;
+        if (m_points3D_external_stored)
+            m_points3D_external_file = files.find(m_points3D_external_file).string();
+        if (m_rangeImage_external_stored)
+            m_rangeImage_external_file = files.find(m_rangeImage_external_file).string();
+        const AllocationLimit limit(kLargestAllocation);
+        load();
+    }
+};
+}  // namespace
+
+PointCloud hitsOf(const Camera& scan, const ExternalFiles& files)
+{
+    LoadedCamera copy(scan, files);
     PointCloud cloud;
     if (copy.hasPoints3D)
     {

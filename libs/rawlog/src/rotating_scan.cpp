@@ -62,9 +62,11 @@ ImageGeometry geometryOf(const RotatingScan& scan)
         return velodyneGeometry(scan, VelodyneModel::VLP16);
     if (rows == 32 && scan.lidarModel == "HDL-32E")
         return velodyneGeometry(scan, VelodyneModel::HDL32E);
+    if (rows == 64 && scan.lidarModel == "HDL-64E")
+        return velodyneGeometry(scan, VelodyneModel::HDL64E);
     throw std::runtime_error("the elevations of its " + std::to_string(rows) +
                              " rows are not known: sensor '" + scan.lidarModel +
-                             "'; VLP-16, HDL-32E and single rows are");
+                             "'; VLP-16, HDL-32E, HDL-64E and single rows are");
 }
 
 void checkNumbers(const RotatingScan& scan)
@@ -82,33 +84,69 @@ void checkNumbers(const RotatingScan& scan)
 }
 }  // namespace
 
+namespace
+{
+/// Makes hits of the cells of a range image.
+class ImageReader
+{
+public:
+    explicit ImageReader(const RotatingScan& scan)
+        : scan_(scan), geometry_(geometryOf(scan)), hasTimes_(geometry_.period > 0.0)
+    {
+    }
+
+    /// Cells that the image before, if there is one, has with the same range are left out.
+    void read(const mrpt::math::CMatrix_u16& ranges, const mrpt::math::CMatrix_u16* before)
+    {
+        for (int column = 0; column < ranges.cols(); ++column)
+            for (int row = 0; row < ranges.rows(); ++row)
+            {
+                const std::uint16_t range = ranges(row, column);
+                if (range == 0 || (before != nullptr && (*before)(row, column) == range)) continue;
+                add(row, column, range * scan_.rangeResolution);
+            }
+    }
+
+    PointCloud cloud() && { return std::move(cloud_); }
+
+private:
+    void add(int row, int column, double range)
+    {
+        const double rate = hasTimes_ ? geometry_.azimuthStep / geometry_.period : 0.0;
+        const double elevation = geometry_.elevations[static_cast<std::size_t>(row)];
+        const double delay = geometry_.delays[static_cast<std::size_t>(row)];
+        const double azimuth =
+            geometry_.firstAzimuth + column * geometry_.azimuthStep + rate * delay;
+        cloud_.x.push_back(static_cast<float>(range * std::cos(elevation) * std::cos(azimuth)));
+        cloud_.y.push_back(static_cast<float>(range * std::cos(elevation) * std::sin(azimuth)));
+        cloud_.z.push_back(static_cast<float>(range * std::sin(elevation)));
+        if (hasTimes_) cloud_.time.push_back(static_cast<float>(column * geometry_.period + delay));
+        if (scan_.intensityImage.size() > 0)
+            cloud_.intensity.push_back(static_cast<float>(scan_.intensityImage(row, column)) /
+                                       255.0F);
+    }
+
+    const RotatingScan& scan_;
+    ImageGeometry geometry_;
+    bool hasTimes_;
+    PointCloud cloud_;
+};
+}  // namespace
+
 PointCloud hitsOf(const RotatingScan& scan)
 {
-    PointCloud cloud;
-    if (scan.rangeImage.size() == 0) return cloud;
+    if (scan.rangeImage.size() == 0) return {};
     checkNumbers(scan);
-    const ImageGeometry geometry = geometryOf(scan);
-    const bool hasTimes = geometry.period > 0.0;
-    const double rate = hasTimes ? geometry.azimuthStep / geometry.period : 0.0;
-    for (int column = 0; column < scan.rangeImage.cols(); ++column)
-        for (int row = 0; row < scan.rangeImage.rows(); ++row)
-        {
-            if (scan.rangeImage(row, column) == 0) continue;
-            const double range = scan.rangeImage(row, column) * scan.rangeResolution;
-            const double elevation = geometry.elevations[static_cast<std::size_t>(row)];
-            const double delay = geometry.delays[static_cast<std::size_t>(row)];
-            const double azimuth =
-                geometry.firstAzimuth + column * geometry.azimuthStep + rate * delay;
-            cloud.x.push_back(static_cast<float>(range * std::cos(elevation) * std::cos(azimuth)));
-            cloud.y.push_back(static_cast<float>(range * std::cos(elevation) * std::sin(azimuth)));
-            cloud.z.push_back(static_cast<float>(range * std::sin(elevation)));
-            if (hasTimes)
-                cloud.time.push_back(static_cast<float>(column * geometry.period + delay));
-            if (scan.intensityImage.size() > 0)
-                cloud.intensity.push_back(static_cast<float>(scan.intensityImage(row, column)) /
-                                          255.0F);
-        }
-    return cloud;
+    ImageReader reader(scan);
+    reader.read(scan.rangeImage, nullptr);
+    // Further returns of the same shots.
+    for (const auto& [name, ranges] : scan.rangeOtherLayers)
+    {
+        const bool fits =
+            ranges.rows() == scan.rangeImage.rows() && ranges.cols() == scan.rangeImage.cols();
+        if (fits) reader.read(ranges, &scan.rangeImage);
+    }
+    return std::move(reader).cloud();
 }
 
 }  // namespace vdamf

@@ -16,6 +16,7 @@
 #include "object_parser.h"
 #include "range_camera.h"
 #include "rotating_scan.h"
+#include "vdamf/rawlog/allocation_limit.h"
 #include "vdamf/rawlog/velodyne_packets.h"
 
 namespace vdamf
@@ -28,27 +29,19 @@ using mrpt::obs::CObservationPointCloud;
 using mrpt::obs::CObservationRotatingScan;
 using mrpt::obs::CObservationVelodyneScan;
 
-/// Loads the points of an observation that keeps them in a file of their own, for a while.
-class LoadedExternal
+constexpr std::size_t kLargestExternal = std::size_t{256} << 20;  // bytes of one allocation
+
+/// The points of an observation that keeps them in a file of their own, which stays as it is.
+class ExternalCloud : public CObservationPointCloud
 {
 public:
-    explicit LoadedExternal(const CObservationPointCloud& observation)
-        : observation_(observation),
-          loadedHere_(observation.isExternallyStored() && !observation.pointcloud)
+    ExternalCloud(const CObservationPointCloud& observation, const ExternalFiles& files)
+        : CObservationPointCloud(observation)
     {
-        if (loadedHere_) observation_.load();
+        m_external_file = files.find(m_external_file).string();
+        const AllocationLimit limit(kLargestExternal);
+        load();
     }
-    ~LoadedExternal()
-    {
-        // unload() writes the file where it is missing, but then load() has thrown before.
-        if (loadedHere_) observation_.unload();
-    }
-    LoadedExternal(const LoadedExternal&) = delete;
-    LoadedExternal& operator=(const LoadedExternal&) = delete;
-
-private:
-    const CObservationPointCloud& observation_;
-    bool loadedHere_;
 };
 
 /// MRPT does not say which range intensities have; what is above 1 is 0..255.
@@ -77,11 +70,13 @@ PointCloud pointsOf(const mrpt::maps::CPointsMap& map)
     return cloud;
 }
 
-PointCloud cloudOf(const CObservationPointCloud& observation)
+PointCloud cloudOf(const CObservationPointCloud& observation, const ExternalFiles& files)
 {
-    const LoadedExternal loaded(observation);
-    if (!observation.pointcloud) throw std::runtime_error("it has no point cloud");
-    return pointsOf(*observation.pointcloud);
+    if (observation.pointcloud) return pointsOf(*observation.pointcloud);
+    if (!observation.isExternallyStored()) throw std::runtime_error("it has no point cloud");
+    const ExternalCloud external(observation, files);
+    if (!external.pointcloud) throw std::runtime_error("its external file holds no point cloud");
+    return pointsOf(*external.pointcloud);
 }
 
 PointCloud raysOf(const CObservation2DRangeScan& line)
@@ -193,13 +188,13 @@ double durationOf(const mrpt::obs::CObservation& observation)
     return 0.0;
 }
 
-std::optional<Scan> scanFrom(const mrpt::obs::CObservation& observation)
+std::optional<Scan> scanFrom(const mrpt::obs::CObservation& observation, const ExternalFiles& files)
 {
     try
     {
         if (const auto* cloud = dynamic_cast<const CObservationPointCloud*>(&observation))
         {
-            return scanOf(observation, cloudOf(*cloud));
+            return scanOf(observation, cloudOf(*cloud, files));
         }
         if (const auto* velodyne = dynamic_cast<const CObservationVelodyneScan*>(&observation))
         {
@@ -215,7 +210,7 @@ std::optional<Scan> scanFrom(const mrpt::obs::CObservation& observation)
         }
         if (const auto* camera = dynamic_cast<const CObservation3DRangeScan*>(&observation))
         {
-            return scanOf(observation, hitsOf(*camera));
+            return scanOf(observation, hitsOf(*camera, files));
         }
         return std::nullopt;
     }

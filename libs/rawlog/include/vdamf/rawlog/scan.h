@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "vdamf/rawlog/external_files.h"
 #include "vdamf/tracking/types/point_cloud.h"
 
 namespace vdamf
@@ -39,12 +40,15 @@ double durationOf(const mrpt::obs::CObservation& observation);
 /// The hits of one of these, nothing for other classes:
 ///  - CObservationPointCloud;
 ///  - CObservationVelodyneScan, with the time of each hit;
-///  - CObservationRotatingScan of a VLP-16, an HDL-32E or of one row, with the time of each hit;
+///  - CObservationRotatingScan of a VLP-16, an HDL-32E, an HDL-64E or of one row, with the time of
+///  each hit;
 ///  - CObservation3DRangeScan: its points, else its range image through its camera model;
 ///  - CObservation2DRangeScan: rays that are valid and shorter than its maximum range.
 /// Drops invalid returns (zero range, NaN); intensities above 1 are taken for 0..255 and scaled.
 /// Throws std::runtime_error with the reason where the observation is of a known class but cannot
 /// be read (external file missing, null cloud, unknown sensor model).
-std::optional<Scan> scanFrom(const mrpt::obs::CObservation& observation);
+/// `files`: where to look for external ones.
+std::optional<Scan> scanFrom(const mrpt::obs::CObservation& observation,
+                             const ExternalFiles& files = {});
 
 }  // namespace vdamf

@@ -9,6 +9,7 @@
 #include "vdamf/evaluation/tables.h"
 #include "vdamf/files/ini.h"
 #include "vdamf/simulation/ray_caster.h"
+#include "vdamf/simulation/recording_options.h"
 #include "vdamf/simulation/scenario_options.h"
 
 namespace vdamf
@@ -27,6 +28,7 @@ struct Scenario
 {
     RunOptions run;
     InsErrorOptions ins;
+    RecordingOptions recording;
     std::vector<SimulatedSensor> sensors;  ///< the first one's scans are the frames
     Scene scene;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Simulated scans and poses as observations of MRPT.
-#include "observations.h"
+// Simulated scans as what sensors send.
+#include "native_scans.h"
 
 #include <mrpt/core/Clock.h>
 #include <mrpt/obs/CObservation2DRangeScan.h>
@@ -105,39 +105,9 @@ mrpt::obs::CObservation::Ptr lineScan(const SimulatedSensor& sensor, const Simul
 }
 }  // namespace
 
-mrpt::obs::CObservation::Ptr scanObservation(const Scenario& scenario, const SimulatedScan& scan)
+mrpt::obs::CObservation::Ptr nativeScan(const SimulatedSensor& sensor, const SimulatedScan& scan)
 {
-    const SimulatedSensor& sensor = scenario.sensors[scan.sensor];
-    const LadarMount& mount = sensor.mount;
-    const auto observation =
-        mount.ladar.isLineScanner() ? lineScan(sensor, scan) : velodyneScan(sensor, scan);
-    observation->sensorLabel = sensor.label;
-    observation->setSensorPose(mrpt::poses::CPose3D(mount.position.x(), mount.position.y(),
-                                                    mount.position.z(), mount.heading, mount.pitch,
-                                                    mount.roll));
-    return observation;
-}
-
-mrpt::obs::CObservationRobotPose poseObservation(const Scenario& scenario, const InsSample& sample)
-{
-    constexpr double kPositionVariance = 4e-4;  // m^2
-    constexpr double kAngleVariance = 3e-6;     // rad^2
-    const GroundPose& pose = sample.pose;
-    mrpt::obs::CObservationRobotPose observation;
-    observation.sensorLabel = "ins";
-    observation.timestamp = mrpt::Clock::fromDouble(scenario.run.startTime + sample.sceneTime);
-    observation.pose.mean =
-        mrpt::poses::CPose3D(pose.position.x(), pose.position.y(), pose.position.z(), pose.heading,
-                             pose.pitch, pose.roll);
-    observation.pose.cov.setZero();
-    const double sigmas[] = {sample.positionSigma, sample.positionSigma, sample.positionSigma,
-                             sample.headingSigma,  sample.tiltSigma,     sample.tiltSigma};
-    for (int i = 0; i < 6; ++i)
-    {
-        const double least = i < 3 ? kPositionVariance : kAngleVariance;
-        observation.pose.cov(i, i) = std::max(least, sigmas[i] * sigmas[i]);
-    }
-    return observation;
+    return sensor.mount.ladar.isLineScanner() ? lineScan(sensor, scan) : velodyneScan(sensor, scan);
 }
 
 }  // namespace vdamf

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Where the files are that observations of a rawlog keep their points in.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace vdamf
+{
+/// Folders that are searched, the first one first. Observations name their files relative to a
+/// folder that MRPT calls `<rawlog>_Images`.
+class ExternalFiles
+{
+public:
+    ExternalFiles() = default;
+    /// Of a rawlog: `<name>_Images`, `_images` and `_IMAGES` beside it (<name>: without .rawlog and
+    /// .gz), its own folder, the current one.
+    explicit ExternalFiles(const std::filesystem::path& rawlog);
+
+    /// The file of that name, as an absolute path; only the last part of a name from another
+    /// machine may be found. Throws std::runtime_error that says where it was searched.
+    std::filesystem::path find(const std::string& name) const;
+
+private:
+    std::vector<std::filesystem::path> folders_;
+};
+
+}  // namespace vdamf
