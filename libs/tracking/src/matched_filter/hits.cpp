@@ -123,17 +123,6 @@ std::vector<Cell> cellsOf(const Cluster& cluster, double cellSize)
 }
 }  // namespace
 
-double lowerBodyShare(const Hits& hits)
-{
-    // Nothing but zeros: of points without height.
-    if (hits.heights <= 1) return 1.0;
-    constexpr unsigned kFirst = 3;
-    constexpr unsigned kLast = 9;
-    unsigned seen = 0;
-    for (unsigned k = kFirst; k <= kLast; ++k) seen += (hits.heights >> k) & 1U;
-    return seen / (kLast - kFirst + 1.0);
-}
-
 Hits projectHits(const Cluster& cluster, double cellSize)
 {
     Hits hits;

@@ -142,7 +142,9 @@ Measurement measureTarget(const Hits& hits, const Eigen::Vector2d& sensor, const
     for (const FilterShape& shape : steps) optimise(shape, first);
     if (linesFollow)
     {
-        if (const auto faces = findFaces(hits, m.box, onHits, sensor, options))
+        const auto filterFrom = [&](const OrientedBox& from)
+        { return fitMatchedFilter(hits, steps.front(), sensor, from, first, prior).box; };
+        if (const auto faces = findFaces(hits, m.box, start, filterFrom, sensor, options))
         {
             m.box = faces->fit.box;
             m.covariance = faces->fit.covariance;
