@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vdamf/tracking/matched_filter/hits.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <optional>
 
 namespace vdamf
 {
@@ -51,13 +51,80 @@ std::int64_t floorOf(double value)
     return truncated - (value < static_cast<double>(truncated) ? 1 : 0);
 }
 
-// Finds the cell of a hit by its column and row: open addressing, so that the cost is one look a
-// hit however large the cluster is. The table grows with the cells, of which there are far fewer
-// than hits: a small one stays in the nearest cache.
+// Columns and rows of cells that usable hits lie in.
+struct CellRange
+{
+    std::int64_t firstColumn = 0, firstRow = 0, columns = 0, rows = 0;
+};
+
+CellRange rangeOf(const Cluster& cluster, double perMetre)
+{
+    float low[2] = {1e30F, 1e30F};
+    float high[2] = {-1e30F, -1e30F};
+    for (std::size_t i = 0; i < cluster.size(); ++i)
+    {
+        const float x = cluster.x[i];
+        const float y = cluster.y[i];
+        if (!isUsable(x, y)) continue;
+        low[0] = std::min(low[0], x);
+        low[1] = std::min(low[1], y);
+        high[0] = std::max(high[0], x);
+        high[1] = std::max(high[1], y);
+    }
+    CellRange range;
+    if (low[0] > high[0]) return range;
+    range.firstColumn = floorOf(low[0] * perMetre);
+    range.firstRow = floorOf(low[1] * perMetre);
+    range.columns = floorOf(high[0] * perMetre) - range.firstColumn + 1;
+    range.rows = floorOf(high[1] * perMetre) - range.firstRow + 1;
+    return range;
+}
+
+// The cell of a hit by its column and row in a table of all of them: where the hits lie close
+// together, which those of a vehicle do, as quick as can be.
+class CellTable
+{
+public:
+    CellTable(const CellRange& range, double perMetre)
+        : columns_(static_cast<std::int32_t>(range.columns)),
+          firstColumn_(static_cast<double>(range.firstColumn)),
+          firstRow_(static_cast<double>(range.firstRow)),
+          perMetre_(perMetre),
+          cells_(static_cast<std::size_t>(range.columns * range.rows), kFree)
+    {
+    }
+
+    static bool fits(const CellRange& range)
+    {
+        constexpr std::int64_t kMost = 16384;
+        return range.columns <= kMost && range.rows <= kMost && range.columns * range.rows <= kMost;
+    }
+
+    std::size_t find(float x, float y, std::size_t next)
+    {
+        // Not negative, so that cutting the digits off is rounding down.
+        const auto column = static_cast<std::int32_t>(x * perMetre_ - firstColumn_);
+        const auto row = static_cast<std::int32_t>(y * perMetre_ - firstRow_);
+        std::uint16_t& cell = cells_[static_cast<std::size_t>(row * columns_ + column)];
+        if (cell == kFree) cell = static_cast<std::uint16_t>(next);
+        return cell;
+    }
+
+private:
+    static constexpr std::uint16_t kFree = 0xffff;
+    std::int32_t columns_;
+    double firstColumn_;
+    double firstRow_;
+    double perMetre_;
+    std::vector<std::uint16_t> cells_;
+};
+
+// The same for hits that lie far apart: open addressing, one look a hit however large the cluster
+// is.
 class CellFinder
 {
 public:
-    explicit CellFinder(double cellSize) : perMetre_(1.0 / cellSize), slots_(256) {}
+    explicit CellFinder(double perMetre) : perMetre_(perMetre), slots_(256) {}
 
     // The number of the hit's cell; `next` where it is the first hit of a new one.
     std::size_t find(float x, float y, std::size_t next)
@@ -101,25 +168,39 @@ private:
     std::vector<Slot> slots_;
 };
 
-// By their first hits; cellSize 0: a cell of its own for each.
-std::vector<Cell> cellsOf(const Cluster& cluster, double cellSize)
+// By their first hits.
+template <class Finder>
+std::vector<Cell> cellsOf(const Cluster& cluster, Finder&& finder, std::size_t expected)
 {
     std::vector<Cell> cells;
-    std::optional<CellFinder> finder;
-    if (cellSize > 0.0)
-        finder.emplace(cellSize);
-    else
-        cells.reserve(cluster.size());
+    cells.reserve(expected);
     for (std::size_t i = 0; i < cluster.size(); ++i)
     {
         const float x = cluster.x[i];
         const float y = cluster.y[i];
         if (!isUsable(x, y)) continue;
-        const std::size_t cell = finder ? finder->find(x, y, cells.size()) : cells.size();
+        const std::size_t cell = finder.find(x, y, cells.size());
         if (cell == cells.size()) cells.push_back({x, y});
         cells[cell].add(x, y);
     }
     return cells;
+}
+
+// Every hit alone.
+struct NoCells
+{
+    static std::size_t find(float, float, std::size_t next) { return next; }
+};
+
+std::vector<Cell> cellsOf(const Cluster& cluster, double cellSize)
+{
+    if (cellSize <= 0.0) return cellsOf(cluster, NoCells(), cluster.size());
+    constexpr std::size_t kExpected = 128;
+    const std::size_t expected = std::min(kExpected, cluster.size());
+    const double perMetre = 1.0 / cellSize;
+    const CellRange range = rangeOf(cluster, perMetre);
+    if (CellTable::fits(range)) return cellsOf(cluster, CellTable(range, perMetre), expected);
+    return cellsOf(cluster, CellFinder(perMetre), expected);
 }
 }  // namespace
 
@@ -130,18 +211,19 @@ Hits projectHits(const Cluster& cluster, double cellSize)
     hits.heights = heightsOf(cluster);
     for (auto* column :
          {&hits.x, &hits.y, &hits.weight, &hits.varianceX, &hits.covariance, &hits.varianceY})
-        column->reserve(cells.size());
-    for (const Cell& cell : cells)
+        column->resize(cells.size());
+    for (std::size_t i = 0; i < cells.size(); ++i)
     {
+        const Cell& cell = cells[i];
         const double x = cell.sx / cell.n;
         const double y = cell.sy / cell.n;
-        hits.x.push_back(cell.x + x);
-        hits.y.push_back(cell.y + y);
-        hits.weight.push_back(cell.n);
+        hits.x[i] = cell.x + x;
+        hits.y[i] = cell.y + y;
+        hits.weight[i] = cell.n;
         hits.totalWeight += cell.n;
-        hits.varianceX.push_back(cell.sxx / cell.n - x * x);
-        hits.covariance.push_back(cell.sxy / cell.n - x * y);
-        hits.varianceY.push_back(cell.syy / cell.n - y * y);
+        hits.varianceX[i] = cell.sxx / cell.n - x * x;
+        hits.covariance[i] = cell.sxy / cell.n - x * y;
+        hits.varianceY[i] = cell.syy / cell.n - y * y;
     }
     return hits;
 }

@@ -5,21 +5,6 @@
 
 namespace vdamf
 {
-void FaceHits::add(double outwards, double along, double weight, double spread)
-{
-    if (inLast == Block::kHits)
-    {
-        blocks.emplace_back();
-        inLast = 0;
-    }
-    Block& block = blocks.back();
-    const auto k = static_cast<std::size_t>(inLast++);
-    block.outwards[k] = static_cast<float>(outwards);
-    block.along[k] = static_cast<float>(along);
-    block.weight[k] = static_cast<float>(weight);
-    block.spread[k] = static_cast<float>(spread);
-}
-
 NearFaces nearFaces(const Hits& hits, const OrientedBox& box, FaceSet seen,
                     const Eigen::Vector2d& sensor, const NearFaceOptions& o)
 {

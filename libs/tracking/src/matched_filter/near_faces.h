@@ -26,7 +26,21 @@ struct FaceHits
     std::vector<Block> blocks;
     int inLast = Block::kHits;  ///< used of the last block
 
-    void add(double outwards, double along, double weight, double spread);
+    void add(double outwards, double along, double weight, double spread)
+    {
+        if (inLast == Block::kHits)
+        {
+            blocks.emplace_back();
+            inLast = 0;
+        }
+        Block& block = blocks.back();
+        const auto k = static_cast<std::size_t>(inLast++);
+        block.outwards[k] = static_cast<float>(outwards);
+        block.along[k] = static_cast<float>(along);
+        block.weight[k] = static_cast<float>(weight);
+        block.spread[k] = static_cast<float>(spread);
+    }
+
     bool empty() const { return blocks.empty(); }
 };
 
