@@ -154,7 +154,9 @@ TEST(MeasureTarget, FaceLinesHaveNoBias)
     for (unsigned seed = 1; seed <= runs; ++seed)
     {
         const Hits hits = exampleHits(kCar, 200, 0.02, 0.05, seed);
-        const Measurement m = measureTarget(hits, kSensor, disturbed(kCar, seed), MeasureOptions());
+        MeasureOptions options;
+        options.bodyDepth = 0.0;  // upright walls
+        const Measurement m = measureTarget(hits, kSensor, disturbed(kCar, seed), options);
         corner += (nearCorner(m.box) - nearCorner(kCar)) / runs;
         length += (m.box.length - kCar.length) / runs;
         width += (m.box.width - kCar.width) / runs;
@@ -174,6 +176,7 @@ TEST(MeasureTarget, FaceLinesKnowHowGoodTheyAre)
     {
         MeasureOptions options;
         options.rangeNoise = 0.03;
+        options.bodyDepth = 0.0;  // upright walls
         const Hits hits = exampleHits(kCar, 120, 0.03, 0.0, 1000 + seed);
         const Measurement m = measureTarget(hits, kSensor, disturbed(kCar, seed), options);
         Vector5d error;

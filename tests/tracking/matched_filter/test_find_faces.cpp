@@ -132,22 +132,6 @@ TEST(FitCovariance, HitsExactlyInARowDoNotTellTheSizeAcross)
     EXPECT_GT(p(3, 3), 0.3);
 }
 
-TEST(LowerBodyShare, CountsTheHeightsSeen)
-{
-    Cluster cluster;
-    cluster.x = {1.0F, 2.0F, 3.0F};
-    cluster.y = {0.0F, 0.0F, 0.0F};
-    EXPECT_EQ(lowerBodyShare(projectHits(cluster, 0.1)), 1.0);  // unknown
-    cluster.height = {0.0F, 0.0F, 0.0F};
-    EXPECT_EQ(lowerBodyShare(projectHits(cluster, 0.1)), 1.0);
-    cluster.height = {0.35F, 1.2F, 0.75F};
-    const Hits hits = projectHits(cluster, 0.1);
-    EXPECT_NEAR(lowerBodyShare(hits), 2.0 / 7.0, 1e-12);
-    Hits other;
-    other.heights = 1U << 5U;
-    EXPECT_NEAR(lowerBodyShare(joined(hits, other)), 3.0 / 7.0, 1e-12);
-}
-
 TEST(FaceLines, ABodySeenInARowMayReachFarther)
 {
     FaceSet seen;

@@ -139,6 +139,7 @@ private:
     {
         const double face = nearAt(1 - axis);
         std::vector<RowHit> row;
+        row.reserve(inBox_.size());
         for (std::size_t i = 0; i < inBox_.size(); ++i)
         {
             const auto a = static_cast<Eigen::Index>(axis);

@@ -19,7 +19,7 @@ struct FaceLineOptions
     int iterations = 6;        ///< of reweighting
     double corner = 0.25;      ///< along a face from the corner of both: bumpers are round there, m
     double rangeNoise = 0.02;  ///< of the sensor, standard deviation, m
-    double bodyDepth = 0.0;    ///< of what no hits show inside of the hull, m
+    double bodyDepth = 0.0;    ///< of a car's sill or nose behind its bumper, m; 0: walls
     double minHits = 4.0;      ///< on a face, for a line
 };
 
@@ -49,10 +49,9 @@ struct FaceLines
 ///
 /// Vehicles are round and tapered: their hits lie inside of the hull that a box stands for, and the
 /// outermost ones tell of it best. So hits inside of a line weigh less than those outside, and the
-/// line goes outwards by what the scatter of the latter exceeds the sensor's noise. On plane faces
-/// both cancel. Of a body of which few heights are seen (lowerBodyShare()) the outermost part is
-/// probably not among them: its line goes out and its variance up with `bodyDepth`. Nothing where
-/// no face has hits enough.
+/// line goes outwards by what the scatter of the latter exceeds the sensor's noise, and by what is
+/// usual of vehicles at the heights that were seen (face_hull.h, body_profile.h; `bodyDepth`). On
+/// plane faces both cancel. Nothing where no face has hits enough.
 std::optional<FaceLines> fitFaceLines(const Hits& hits, const OrientedBox& box, FaceSet seen,
                                       const Eigen::Vector2d& sensor,
                                       const FaceLineOptions& options);

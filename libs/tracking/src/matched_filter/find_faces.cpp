@@ -2,9 +2,9 @@
 #include "matched_filter/find_faces.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
+#include "matched_filter/corner_check.h"
 #include "matched_filter/densest_corner.h"
 
 namespace vdamf
@@ -14,23 +14,49 @@ namespace
 // Lines that hold this share of the hits are taken without a second look. Upright walls without
 // clutter have 0.75 and more, vehicles on the road from 0.2 to 0.8.
 constexpr double kEnough = 0.7;
+// The start costs little to try.
+constexpr double kEnoughWithoutStart = 0.8;
 // Others have to hold so many times the hits: the filter sees more of the vehicle than its lines.
-constexpr double kClearlyMore = 1.1;
+constexpr double kClearlyMore = 1.05;
+// What holds only after one of two faces was left out is taken for so much less.
+constexpr double kMisplaced = 0.8;
+// Of bodies, hits off the lines tell how far they depart from a box, and in what other ways than
+// those reckoned with. Lines that hold fewer of the hits than kDoubtful may be any row of them. By
+// the errors on the drives.
+constexpr double kDoubtful = 0.45;
+struct Doubt
+{
+    double body;   // error (rad, m) over the square of the share off the lines
+    double wrong;  // error where half of kDoubtful is left
+};
+constexpr Doubt kTurnDoubt = {0.02, 0.15};
+constexpr Doubt kEndDoubt = {0.12, 0.3};
+constexpr Doubt kSideDoubt = {0.08, 0.12};
+
+double varianceOf(const Doubt& doubt, double share, bool isBody)
+{
+    const double off = 1.0 - share;
+    const double missing = std::max(0.0, 2.0 * (kDoubtful - share) / kDoubtful);
+    const double body = isBody ? doubt.body * off * off : 0.0;
+    const double wrong = doubt.wrong * missing * missing;
+    return body * body + wrong * wrong;
+}
+
 // Faces with a tenth fewer hits than the best ones are half as likely.
 constexpr double kSharpness = 6.0;
 
 struct Tried
 {
     FoundFaces faces;
+    OrientedBox onHits;  // with its near faces where the hits are, not where the hull is
     double share = 0.0;  // of the hits that lie on the lines
 };
 
 // From the filter's box, up to half a metre too large, to the faces: first with a wide view of
 // what lies on them, then with a narrow one.
-std::optional<Tried> facesFrom(const OrientedBox& box, const Hits& hits,
+std::optional<Tried> linesFrom(const OrientedBox& box, FaceSet seen, const Hits& hits,
                                const Eigen::Vector2d& sensor, const MeasureOptions& options)
 {
-    const FaceSet seen = facesSeen(hits, box, sensor, options);
     FaceLineOptions wide;
     wide.rangeNoise = options.rangeNoise;
     wide.gate = 0.7;
@@ -45,11 +71,39 @@ std::optional<Tried> facesFrom(const OrientedBox& box, const Hits& hits,
     const auto lines = fitFaceLines(hits, closer, seen, sensor, narrow);
     if (!lines) return std::nullopt;
     const double scale = std::max(0.06, 1.5 * options.rangeNoise);
-    const OrientedBox onHits = onFaceLines(closer, throughHits(*lines));
-    return Tried{
-        {boxFromFaces(hits, closer, seen, sensor, *lines, options.hiddenFaceSigma, options.fit),
-         seen},
-        shareOnNearFaces(hits, onHits, sensor, scale)};
+    if (!lines->end.exists)
+    {
+        seen.remove(Face::Front);
+        seen.remove(Face::Back);
+    }
+    if (!lines->side.exists)
+    {
+        seen.remove(Face::Left);
+        seen.remove(Face::Right);
+    }
+    Tried tried;
+    tried.onHits = onFaceLines(closer, throughHits(*lines));
+    tried.faces = {
+        boxFromFaces(hits, closer, seen, sensor, *lines, options.hiddenFaceSigma, options.fit),
+        seen};
+    tried.share = shareOnNearFaces(hits, tried.onHits, sensor, scale);
+    return tried;
+}
+
+// The same; a face that cannot be one of the vehicle's is left out.
+std::optional<Tried> facesFrom(const OrientedBox& box, const Hits& hits,
+                               const Eigen::Vector2d& sensor, const MeasureOptions& options)
+{
+    FaceSet seen = facesSeen(hits, box, sensor, options);
+    auto tried = linesFrom(box, seen, hits, sensor, options);
+    if (!tried) return std::nullopt;
+    const auto misplaced = misplacedFace(hits, tried->onHits, seen);
+    if (!misplaced) return tried;
+    seen.remove(*misplaced);
+    auto rest = linesFrom(box, seen, hits, sensor, options);
+    if (!rest) return std::nullopt;
+    rest->share *= kMisplaced;
+    return rest;
 }
 
 // By how much the second box lies elsewhere: (x, y, heading, length, width).
@@ -59,6 +113,25 @@ Vector5d difference(const OrientedBox& a, const OrientedBox& b)
     d << b.x - a.x, b.y - a.y, wrapAngle(b.heading - a.heading), b.length - a.length,
         b.width - a.width;
     return d;
+}
+
+// What is to be added where few hits lie on the faces.
+Matrix5d doubtOf(const FoundFaces& faces, double share, bool isBody)
+{
+    Matrix5d covariance = Matrix5d::Zero();
+    covariance(2, 2) = varianceOf(kTurnDoubt, share, isBody);
+    const Eigen::Matrix2d axes = rotation(faces.fit.box.heading);
+    for (const int axis : {0, 1})
+    {
+        if (!(axis == 0 ? faces.seen.seesEnd() : faces.seen.seesSide())) continue;
+        const bool positive = faces.seen.has(axis == 0 ? Face::Front : Face::Left);
+        Vector5d byFace = Vector5d::Zero();
+        byFace.head<2>() = 0.5 * axes.col(axis);
+        byFace(3 + axis) = positive ? 1.0 : -1.0;
+        covariance += varianceOf(axis == 0 ? kEndDoubt : kSideDoubt, share, isBody) * byFace *
+                      byFace.transpose();
+    }
+    return covariance;
 }
 
 // All that was tried, with the shares of the hits on the faces.
@@ -74,24 +147,26 @@ public:
     {
         const auto found = facesFrom(box, hits_, sensor_, options_);
         if (!found) return;
-        if (count_ == 0 || found->share > kClearlyMore * tried_[best_].share) best_ = count_;
-        tried_[count_++] = *found;
+        if (tried_.empty() || found->share > kClearlyMore * tried_[best_].share)
+            best_ = tried_.size();
+        tried_.push_back(*found);
     }
 
-    bool areEnough() const { return count_ > 0 && tried_[best_].share >= kEnough; }
+    bool areEnough(double share) const { return !tried_.empty() && tried_[best_].share >= share; }
 
     // The best ones; where others hold nearly as many hits, with their distance in the covariance.
     std::optional<FoundFaces> best() const
     {
-        if (count_ == 0) return std::nullopt;
+        if (tried_.empty()) return std::nullopt;
         FoundFaces result = tried_[best_].faces;
-        for (std::size_t k = 0; k < count_; ++k)
+        for (const Tried& tried : tried_)
         {
-            const double ratio = tried_[k].share / std::max(1e-6, tried_[best_].share);
+            const double ratio = tried.share / std::max(1e-6, tried_[best_].share);
             const double odds = std::min(1.0, std::pow(ratio, kSharpness));
-            const Vector5d off = difference(result.fit.box, tried_[k].faces.fit.box);
+            const Vector5d off = difference(result.fit.box, tried.faces.fit.box);
             result.fit.covariance += odds / (1.0 + odds) * off * off.transpose();
         }
+        result.fit.covariance += doubtOf(result, tried_[best_].share, options_.bodyDepth > 0.0);
         return result;
     }
 
@@ -99,20 +174,20 @@ private:
     const Hits& hits_;
     const Eigen::Vector2d& sensor_;
     const MeasureOptions& options_;
-    std::array<Tried, 3> tried_;
-    std::size_t count_ = 0;
+    std::vector<Tried> tried_;
     std::size_t best_ = 0;
 };
 }  // namespace
 
 std::optional<FoundFaces> findFaces(const Hits& hits, const OrientedBox& fitted,
-                                    const OrientedBox& start, const Eigen::Vector2d& sensor,
-                                    const MeasureOptions& options)
+                                    const OrientedBox& start, const FilterFit& filterFrom,
+                                    const Eigen::Vector2d& sensor, const MeasureOptions& options)
 {
     TriedFaces faces(hits, sensor, options);
     faces.tryFrom(fitted);
-    if (!faces.areEnough()) faces.tryFrom(start);
-    if (!faces.areEnough()) faces.tryFrom(boxInDensestCorner(hits, start, sensor));
+    if (!faces.areEnough(kEnoughWithoutStart)) faces.tryFrom(start);
+    if (!faces.areEnough(kEnough)) faces.tryFrom(filterFrom(start));
+    if (!faces.areEnough(kEnough)) faces.tryFrom(boxInDensestCorner(hits, start, sensor));
     return faces.best();
 }
 

@@ -3,6 +3,7 @@
 // on what was found.
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include "matched_filter/face_box.h"
@@ -16,11 +17,15 @@ struct FoundFaces
     FaceSet seen;
 };
 
+/// The filter's box from a start.
+using FilterFit = std::function<OrientedBox(const OrientedBox& start)>;
+
 /// Lines through the faces of `fitted`, the filter's box. If they hold too few of the hits (a bush
-/// was taken for a face), the start and the densest corner of the hits are tried as well, and the
-/// lines that hold the most hits are taken. Nothing where no face has hits enough.
+/// was taken for a face), the start, the filter's box from there and the densest corner of the hits
+/// are tried as well, and the lines that hold the most hits are taken. Nothing where no face has
+/// hits enough.
 std::optional<FoundFaces> findFaces(const Hits& hits, const OrientedBox& fitted,
-                                    const OrientedBox& start, const Eigen::Vector2d& sensor,
-                                    const MeasureOptions& options);
+                                    const OrientedBox& start, const FilterFit& filterFrom,
+                                    const Eigen::Vector2d& sensor, const MeasureOptions& options);
 
 }  // namespace vdamf

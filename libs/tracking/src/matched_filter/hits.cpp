@@ -52,13 +52,80 @@ std::int64_t floorOf(double value)
     return truncated - (value < static_cast<double>(truncated) ? 1 : 0);
 }
 
-// Finds the cell of a hit by its column and row: open addressing, so that the cost is one look a
-// hit however large the cluster is. The table grows with the cells, of which there are far fewer
-// than hits: a small one stays in the nearest cache.
+// Columns and rows of cells that usable hits lie in.
+struct CellRange
+{
+    std::int64_t firstColumn = 0, firstRow = 0, columns = 0, rows = 0;
+};
+
+CellRange rangeOf(const Cluster& cluster, double perMetre)
+{
+    float low[2] = {1e30F, 1e30F};
+    float high[2] = {-1e30F, -1e30F};
+    for (std::size_t i = 0; i < cluster.size(); ++i)
+    {
+        const float x = cluster.x[i];
+        const float y = cluster.y[i];
+        if (!isUsable(x, y)) continue;
+        low[0] = std::min(low[0], x);
+        low[1] = std::min(low[1], y);
+        high[0] = std::max(high[0], x);
+        high[1] = std::max(high[1], y);
+    }
+    CellRange range;
+    if (low[0] > high[0]) return range;
+    range.firstColumn = floorOf(low[0] * perMetre);
+    range.firstRow = floorOf(low[1] * perMetre);
+    range.columns = floorOf(high[0] * perMetre) - range.firstColumn + 1;
+    range.rows = floorOf(high[1] * perMetre) - range.firstRow + 1;
+    return range;
+}
+
+// The cell of a hit by its column and row in a table of all of them: where the hits lie close
+// together, which those of a vehicle do, as quick as can be.
+class CellTable
+{
+public:
+    CellTable(const CellRange& range, double perMetre)
+        : columns_(static_cast<std::int32_t>(range.columns)),
+          firstColumn_(static_cast<double>(range.firstColumn)),
+          firstRow_(static_cast<double>(range.firstRow)),
+          perMetre_(perMetre),
+          cells_(static_cast<std::size_t>(range.columns * range.rows), kFree)
+    {
+    }
+
+    static bool fits(const CellRange& range)
+    {
+        constexpr std::int64_t kMost = 16384;
+        return range.columns <= kMost && range.rows <= kMost && range.columns * range.rows <= kMost;
+    }
+
+    std::size_t find(float x, float y, std::size_t next)
+    {
+        // Not negative, so that cutting the digits off is rounding down.
+        const auto column = static_cast<std::int32_t>(x * perMetre_ - firstColumn_);
+        const auto row = static_cast<std::int32_t>(y * perMetre_ - firstRow_);
+        std::uint16_t& cell = cells_[static_cast<std::size_t>(row * columns_ + column)];
+        if (cell == kFree) cell = static_cast<std::uint16_t>(next);
+        return cell;
+    }
+
+private:
+    static constexpr std::uint16_t kFree = 0xffff;
+    std::int32_t columns_;
+    double firstColumn_;
+    double firstRow_;
+    double perMetre_;
+    std::vector<std::uint16_t> cells_;
+};
+
+// The same for hits that lie far apart: open addressing, one look a hit however large the cluster
+// is.
 class CellFinder
 {
 public:
-    explicit CellFinder(double cellSize) : perMetre_(1.0 / cellSize), slots_(256) {}
+    explicit CellFinder(double perMetre) : perMetre_(perMetre), slots_(256) {}
 
     // The number of the hit's cell; `next` where it is the first hit of a new one.
     std::size_t find(float x, float y, std::size_t next)
@@ -102,64 +169,12 @@ private:
     std::vector<Slot> slots_;
 };
 
-// The part of the plane that the usable hits of a cluster lie in.
-struct Bounds
-{
-    float minX = 1e7F, minY = 1e7F, maxX = -1e7F, maxY = -1e7F;
-
-    explicit Bounds(const Cluster& cluster)
-    {
-        for (std::size_t i = 0; i < cluster.size(); ++i)
-        {
-            if (!isUsable(cluster.x[i], cluster.y[i])) continue;
-            minX = std::min(minX, cluster.x[i]);
-            minY = std::min(minY, cluster.y[i]);
-            maxX = std::max(maxX, cluster.x[i]);
-            maxY = std::max(maxY, cluster.y[i]);
-        }
-    }
-};
-
-// Finds the cell of a hit in a table of all cells within bounds: for clusters that fill a good part
-// of theirs the fastest way.
-class CellTable
-{
-public:
-    CellTable(const Bounds& bounds, double cellSize)
-        : perMetre_(1.0 / cellSize),
-          firstColumn_(static_cast<double>(floorOf(bounds.minX * perMetre_))),
-          firstRow_(static_cast<double>(floorOf(bounds.minY * perMetre_))),
-          columns_(static_cast<std::size_t>(bounds.maxX * perMetre_ - firstColumn_) + 1),
-          cells_(columns_ * (static_cast<std::size_t>(bounds.maxY * perMetre_ - firstRow_) + 1),
-                 kFree)
-    {
-    }
-
-    std::size_t find(float x, float y, std::size_t next)
-    {
-        const auto column =
-            static_cast<std::size_t>(static_cast<std::int64_t>(x * perMetre_ - firstColumn_));
-        const auto row =
-            static_cast<std::size_t>(static_cast<std::int64_t>(y * perMetre_ - firstRow_));
-        std::uint32_t& cell = cells_[row * columns_ + column];
-        cell = cell == kFree ? static_cast<std::uint32_t>(next) : cell;
-        return cell;
-    }
-
-private:
-    static constexpr std::uint32_t kFree = static_cast<std::uint32_t>(-1);
-
-    double perMetre_;
-    double firstColumn_, firstRow_;
-    std::size_t columns_;
-    std::vector<std::uint32_t> cells_;
-};
-
+// By their first hits.
 template <class Finder>
-std::vector<Cell> cellsBy(const Cluster& cluster, Finder finder)
+std::vector<Cell> cellsOf(const Cluster& cluster, Finder&& finder, std::size_t expected)
 {
     std::vector<Cell> cells;
-    cells.reserve(std::min<std::size_t>(cluster.size(), 256));
+    cells.reserve(expected);
     for (std::size_t i = 0; i < cluster.size(); ++i)
     {
         const float x = cluster.x[i];
@@ -172,37 +187,23 @@ std::vector<Cell> cellsBy(const Cluster& cluster, Finder finder)
     return cells;
 }
 
-// Every hit is a cell of its own.
-struct NoFinder
+// Every hit alone.
+struct NoCells
 {
-    std::size_t find(float, float, std::size_t next) const { return next; }
+    static std::size_t find(float, float, std::size_t next) { return next; }
 };
 
-// By their first hits; cellSize 0: a cell of its own for each.
 std::vector<Cell> cellsOf(const Cluster& cluster, double cellSize)
 {
-    if (cellSize <= 0.0) return cellsBy(cluster, NoFinder());
-    const Bounds bounds(cluster);
-    if (bounds.minX > bounds.maxX) return {};
-    const double area = (static_cast<double>(bounds.maxX) - bounds.minX + cellSize) *
-                        (static_cast<double>(bounds.maxY) - bounds.minY + cellSize);
-    const double mostCells = 1000.0 + 10.0 * static_cast<double>(cluster.size());
-    if (area < mostCells * cellSize * cellSize)
-        return cellsBy(cluster, CellTable(bounds, cellSize));
-    return cellsBy(cluster, CellFinder(cellSize));
+    if (cellSize <= 0.0) return cellsOf(cluster, NoCells(), cluster.size());
+    constexpr std::size_t kExpected = 128;
+    const std::size_t expected = std::min(kExpected, cluster.size());
+    const double perMetre = 1.0 / cellSize;
+    const CellRange range = rangeOf(cluster, perMetre);
+    if (CellTable::fits(range)) return cellsOf(cluster, CellTable(range, perMetre), expected);
+    return cellsOf(cluster, CellFinder(perMetre), expected);
 }
 }  // namespace
-
-double lowerBodyShare(const Hits& hits)
-{
-    // Nothing but zeros: of points without height.
-    if (hits.heights <= 1) return 1.0;
-    constexpr unsigned kFirst = 3;
-    constexpr unsigned kLast = 9;
-    unsigned seen = 0;
-    for (unsigned k = kFirst; k <= kLast; ++k) seen += (hits.heights >> k) & 1U;
-    return seen / (kLast - kFirst + 1.0);
-}
 
 Hits projectHits(const Cluster& cluster, double cellSize)
 {

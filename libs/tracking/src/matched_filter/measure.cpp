@@ -46,7 +46,7 @@ OrientedBox betterStart(const Hits& hits, const Eigen::Vector2d& sensor, const F
 // The filter has to come within reach of the lines only.
 FitOptions beforeLines(const FitOptions& options)
 {
-    constexpr double kTolerance = 0.1;  // m and rad
+    constexpr double kTolerance = 0.15;  // m and rad
     // What goes on longer moves a face that no hits show.
     constexpr int kIterations = 8;
     FitOptions coarse = options;
@@ -142,7 +142,9 @@ Measurement measureTarget(const Hits& hits, const Eigen::Vector2d& sensor, const
     for (const FilterShape& shape : steps) optimise(shape, first);
     if (linesFollow)
     {
-        if (const auto faces = findFaces(hits, m.box, onHits, sensor, options))
+        const auto filterFrom = [&](const OrientedBox& from)
+        { return fitMatchedFilter(hits, steps.front(), sensor, from, first, prior).box; };
+        if (const auto faces = findFaces(hits, m.box, start, filterFrom, sensor, options))
         {
             m.box = faces->fit.box;
             m.covariance = faces->fit.covariance;

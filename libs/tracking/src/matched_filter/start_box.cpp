@@ -8,20 +8,17 @@ namespace vdamf
 {
 namespace
 {
-// Rectangle around the hits at a heading, and how closely they keep to its edges (Zhang et al.,
-// IV 2017, closeness).
+// Rectangle around the hits at a heading.
 struct Bounds
 {
-    double minX = 0.0, maxX = 0.0, minY = 0.0, maxY = 0.0;
-    double closeness = 0.0;
+    double minX = 1e30, maxX = -1e30, minY = 1e30, maxY = -1e30;
 };
 
 Bounds boundsAt(const Hits& hits, double heading)
 {
-    constexpr double kClosest = 0.1;  // m; nearer to an edge than this is on it
     const double c = std::cos(heading);
     const double s = std::sin(heading);
-    Bounds b{1e30, -1e30, 1e30, -1e30, 0.0};
+    Bounds b;
     for (std::size_t i = 0; i < hits.size(); ++i)
     {
         const double x = c * hits.x[i] + s * hits.y[i];
@@ -31,14 +28,24 @@ Bounds boundsAt(const Hits& hits, double heading)
         b.minY = std::min(b.minY, y);
         b.maxY = std::max(b.maxY, y);
     }
+    return b;
+}
+
+// How closely the hits keep to the edges of their bounds (Zhang et al., IV 2017).
+double closenessTo(const Bounds& b, const Hits& hits, double heading)
+{
+    constexpr double kClosest = 0.1;  // m; nearer to an edge than this is on it
+    const double c = std::cos(heading);
+    const double s = std::sin(heading);
+    double closeness = 0.0;
     for (std::size_t i = 0; i < hits.size(); ++i)
     {
         const double x = c * hits.x[i] + s * hits.y[i];
         const double y = -s * hits.x[i] + c * hits.y[i];
         const double edge = std::min({x - b.minX, b.maxX - x, y - b.minY, b.maxY - y});
-        b.closeness += hits.weight[i] / std::max(edge, kClosest);
+        closeness += hits.weight[i] / std::max(edge, kClosest);
     }
-    return b;
+    return closeness;
 }
 }  // namespace
 
@@ -56,12 +63,15 @@ OrientedBox startBox(const Hits& hits, const Eigen::Vector2d& sensor, double wid
     if (hits.size() == 0) return {};
     double heading = 0.0;
     Bounds best = boundsAt(hits, heading);
+    double closest = closenessTo(best, hits, heading);
     for (int k = 1; k < kHeadings; ++k)
     {
         const double angle = 0.5 * kPi * k / kHeadings;
         const Bounds b = boundsAt(hits, angle);
-        if (b.closeness > best.closeness)
+        const double closeness = closenessTo(b, hits, angle);
+        if (closeness > closest)
         {
+            closest = closeness;
             best = b;
             heading = angle;
         }

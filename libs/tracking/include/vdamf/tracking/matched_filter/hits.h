@@ -36,10 +36,6 @@ struct Hits
     }
 };
 
-/// Share (0..1) of the heights of a vehicle's lower body, 0.3 to 1.0 m above the ground, that have
-/// hits; 1 where heights are unknown.
-double lowerBodyShare(const Hits& hits);
-
 /// Projects clusters into the plane and merges the hits of each cell of `cellSize` (m, 0: no
 /// merging) into their mean. Hits that are not finite are dropped.
 Hits projectHits(const Cluster& cluster, double cellSize);
