@@ -4,7 +4,8 @@
 #include <mrpt/maps/CPointsMapXYZI.h>
 #include <mrpt/obs/CObservationPointCloud.h>
 
-#include "observations.h"
+#include "pose_sources.h"
+#include "scan_classes.h"
 #include "vdamf/rawlog/scan.h"
 
 namespace vdamf::fuzz
@@ -27,11 +28,12 @@ Street smallStreet(const std::string& model, int frames, double fieldOfViewDeg)
 {
     const Scenario scenario = scenarioOf(model, fieldOfViewDeg);
     InsSimulator ins(scenario);
+    PoseRecorder poses(scenario);
     Street street;
     const auto addPose = [&]
     {
-        street.observations.push_back(std::make_shared<mrpt::obs::CObservationRobotPose>(
-            poseObservation(scenario, ins.next())));
+        for (const auto& pose : poses.observations(ins.next()))
+            street.observations.push_back(pose);
     };
     addPose();
     for (int i = 0; i < frames; ++i)

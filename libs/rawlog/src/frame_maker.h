@@ -2,6 +2,7 @@
 // Scans of a rawlog to frames for the tracker.
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <vector>
 
@@ -15,8 +16,10 @@ namespace vdamf
 class FrameMaker
 {
 public:
-    FrameMaker(const TrackRawlogJob& job, const InsTrajectory& ins, TrackRawlogSummary& summary)
-        : options_(job.configuration.scan), files_(job.input), ins_(ins), summary_(summary)
+    /// `rawlog`: the file that the scans stand in.
+    FrameMaker(const ScanOptions& options, const std::filesystem::path& rawlog,
+               const InsTrajectory& ins, TrackRawlogSummary& summary)
+        : options_(options), files_(rawlog), ins_(ins), summary_(summary)
     {
     }
 

@@ -20,7 +20,7 @@ public:
           reader_(path),
           ins_(annotations.configuration.ins),
           pending_(reader_, ins_, annotations.configuration.scan),
-          frames_(annotations.configuration.scan, ins_, counts_)
+          frames_(annotations.configuration.scan, path, ins_, counts_)
     {
     }
 

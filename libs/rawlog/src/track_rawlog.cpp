@@ -43,7 +43,7 @@ public:
           reader_(job.input),
           ins_(job.configuration.ins),
           pending_(reader_, ins_, job.configuration.scan),
-          frames_(job, ins_, summary_),
+          frames_(job.configuration.scan, job.input, ins_, summary_),
           tracker_(job.configuration.tracker),
           outputs_(job)
     {
