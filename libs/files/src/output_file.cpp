@@ -17,6 +17,7 @@
 #include <utility>
 
 #include "vdamf/files/numbers.h"
+#include "write_signals.h"
 
 namespace vdamf
 {
@@ -252,6 +253,7 @@ OutputFile::~OutputFile()
 void OutputFile::write(std::string_view bytes)
 {
     empty_ = empty_ && bytes.empty();
+    const WriteSignalsHeld held;
     while (!bytes.empty())
     {
         const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
