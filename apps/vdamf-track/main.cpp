@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vdamf-track: a rawlog in, its vehicles tracked, an annotated rawlog out.
+#include <signal.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <atomic>
 #include <cerrno>
 #include <charconv>
-#include <csignal>
 #include <cstdio>
 #include <stdexcept>
 #include <system_error>
@@ -185,10 +185,18 @@ int exitCodeOf(const Cli& cli, const vdamf::TrackRawlogSummary& summary)
     return kDone;
 }
 
+// Without restarting what they interrupt: a run must not wait for ever for a pipe that stays
+// silent.
+void catchSignals()
+{
+    struct sigaction action = {};
+    action.sa_handler = onSignal;
+    for (const int signal : {SIGINT, SIGTERM}) sigaction(signal, &action, nullptr);
+}
+
 int run(const Cli& cli, const vdamf::TrackRawlogJob& job)
 {
-    std::signal(SIGINT, onSignal);
-    std::signal(SIGTERM, onSignal);
+    catchSignals();
     const bool progress = !cli.quiet && isatty(STDERR_FILENO) != 0;
     std::uint64_t frames = 0;
     vdamf::Pictures pictures(cli.pictures, job);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gz_input.h"
 
+#include <unistd.h>
 #include <zlib.h>
 
 #include <algorithm>
@@ -46,8 +47,6 @@ GzInput::GzInput(const fs::path& path) : path_(path), input_(kInputBytes)
     if (fs::is_directory(path, error)) fail(path, "cannot read: this is a folder; name a rawlog");
     file_.reset(std::fopen(path.c_str(), "rb"));
     if (!file_) fail(path, "cannot read: " + std::system_category().message(errno));
-    // Blocks are large already; a buffer of stdio's would only copy them once more.
-    std::setvbuf(file_.get(), nullptr, _IONBF, 0);
     const std::uintmax_t size = fs::file_size(path, error);
     fileSize_ = error ? 0 : size;
     if (!isGz()) return;
@@ -75,15 +74,19 @@ bool GzInput::require(std::size_t bytes)
     begin_ = 0;
     while (end_ < bytes)
     {
-        const std::size_t got =
-            std::fread(input_.data() + end_, 1, input_.size() - end_, file_.get());
-        if (got == 0 && std::ferror(file_.get()) != 0)
+        // Not by stdio, which would wait for all of the block on a pipe.
+        const ssize_t got =
+            ::read(::fileno(file_.get()), input_.data() + end_, input_.size() - end_);
+        if (got < 0 && errno == EINTR)
         {
-            fail(path_, "cannot read: " + std::system_category().message(errno));
+            // Whoever lets a signal end the waiting for a pipe wants no more.
+            report("reading was interrupted");
+            return false;
         }
+        if (got < 0) fail(path_, "cannot read: " + std::system_category().message(errno));
         if (got == 0) return false;
-        end_ += got;
-        taken_ += got;
+        end_ += static_cast<std::size_t>(got);
+        taken_ += static_cast<std::uint64_t>(got);
     }
     return true;
 }
