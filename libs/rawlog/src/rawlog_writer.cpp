@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vdamf/rawlog/rawlog_writer.h"
 
+#include <chrono>
 #include <deque>
 #include <exception>
 #include <future>
@@ -90,7 +91,14 @@ struct RawlogWriter::Impl
                                      [bytes = std::exchange(pending, {}), level = options.gzLevel]
                                      { return gzMember(bytes, level); }));
         const auto inFlight = static_cast<std::size_t>(options.threads);
-        while (members.size() > inFlight) writeOldestMember();
+        while (members.size() > inFlight || isOldestDone()) writeOldestMember();
+    }
+
+    // What is compressed is written at once: a process that is killed loses the rest.
+    bool isOldestDone() const
+    {
+        return !members.empty() &&
+               members.front().wait_for(std::chrono::seconds(0)) == std::future_status::ready;
     }
 
     void writeOldestMember()
@@ -142,6 +150,11 @@ void RawlogWriter::write(const mrpt::serialization::CSerializable& object)
 void RawlogWriter::writeBytes(std::string_view serializedObjects)
 {
     impl_->guarded([&] { impl_->append(serializedObjects); });
+}
+
+void RawlogWriter::endMember()
+{
+    impl_->guarded([&] { impl_->endMember(); });
 }
 
 void RawlogWriter::flush()

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "track_outputs.h"
 
+#include <cmath>
+
 #include "vdamf/evaluation/tables.h"
 
 namespace vdamf
@@ -43,6 +45,17 @@ void TrackOutputs::copy(const PendingEntry& entry)
     };
     if (entry.entry.kind != RawlogEntry::Kind::Damaged) take(entry.entry.bytes);
     for (const PendingScan& scan : entry.scans) take(scan.annotations);
+    if (headWritten_ && entry.time) endMemberAt(*entry.time);
+}
+
+// By the recording's time, so that the same input gives the same bytes: a process that is killed
+// loses about a second of it.
+void TrackOutputs::endMemberAt(double time)
+{
+    constexpr double kLongestMember = 1.0;  // s
+    if (std::abs(time - memberBegin_) < kLongestMember) return;
+    memberBegin_ = time;
+    writer_->endMember();
 }
 
 void TrackOutputs::writeHead(const mrpt::obs::CObservationComment& head)
@@ -51,7 +64,7 @@ void TrackOutputs::writeHead(const mrpt::obs::CObservationComment& head)
     headWritten_ = true;
     writer_->write(head);
     writer_->writeBytes(held_);
-    held_ = {};
+    std::string().swap(held_);  // an assignment would keep the memory
 }
 
 void TrackOutputs::write(const NisReport& report)

@@ -37,11 +37,14 @@ public:
     void discard();
 
 private:
+    void endMemberAt(double time);
+
     Annotator annotator_;
     std::optional<RawlogWriter> writer_;
     std::optional<OutputFile> tracks_;
     std::optional<OutputFile> nis_;
     std::string held_;
+    double memberBegin_ = 0.0;  ///< s
     bool headWritten_ = false;
 };
 

@@ -40,6 +40,8 @@ public:
 
     void write(const mrpt::serialization::CSerializable& object);
     void writeBytes(std::string_view serializedObjects);  ///< whole objects
+    /// Ends the current member: what was written so far is on its way to the file.
+    void endMember();
     /// Ends the current member and waits until all so far is with the operating system.
     void flush();
     void commit();
