@@ -31,6 +31,22 @@ TEST(AllocationLimit, RefusesWhatIsLarger)
     allocate(2 * kMegabyte);
 }
 
+TEST(AllocationLimit, RefusesWhatIsTooMuchInAll)
+{
+    const AllocationLimit limit(kMegabyte, 3 * kMegabyte);
+    allocate(kMegabyte);
+    {
+        const AllocationLimit inner(AllocationLimit::kNone);
+        allocate(9 * kMegabyte);
+    }
+    allocate(kMegabyte);
+    EXPECT_THROW(
+        {
+            for (int i = 0; i < 100; ++i) allocate(kMegabyte / 50);
+        },
+        std::bad_alloc);
+}
+
 TEST(AllocationLimit, Nests)
 {
     const AllocationLimit outer(kMegabyte);

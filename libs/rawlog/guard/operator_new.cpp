@@ -13,7 +13,7 @@ namespace
 {
 void* allocate(std::size_t size, std::size_t alignment)
 {
-    if (size > vdamf::AllocationLimit::current()) throw std::bad_alloc();
+    if (!vdamf::AllocationLimit::take(size)) throw std::bad_alloc();
     const bool ordinary = alignment <= alignof(std::max_align_t);
     // aligned_alloc() wants whole multiples of the alignment.
     const std::size_t whole = ordinary ? size : (size + alignment - 1) / alignment * alignment;

@@ -4,7 +4,6 @@
 #include <mrpt/serialization/CArchive.h>
 
 #include <cstring>
-#include <limits>
 #include <new>
 #include <stdexcept>
 
@@ -18,7 +17,9 @@ namespace
 {
 // One allocation of an object; a scan of an HDL-64E needs half a megabyte for each of its vectors.
 constexpr std::size_t kLargestAllocation = std::size_t{256} << 20;
-constexpr std::size_t kLargestObject = std::size_t{1} << 30;
+// All allocations of an object, those of its parts that are given back at once included.
+constexpr std::size_t kLargestSum = std::size_t{384} << 20;
+constexpr std::size_t kLargestObject = std::size_t{256} << 20;
 
 class WindowArchive : public mrpt::serialization::CArchive
 {
@@ -33,9 +34,9 @@ protected:
     // Reads all or throws: most callers inside MRPT take fewer bytes for success.
     std::size_t read(void* to, std::size_t size) override
     {
-        if (size > kLargestObject - cursor_) throw std::runtime_error("larger than 1 GB");
+        if (size > kLargestObject - cursor_) throw std::runtime_error("larger than 256 MB");
         // The limit is for what MRPT allocates, not for the window.
-        const AllocationLimit none(std::numeric_limits<std::size_t>::max());
+        const AllocationLimit none(AllocationLimit::kNone);
         if (!window_.require(cursor_ + size))
         {
             reachedEnd_ = true;
@@ -69,7 +70,7 @@ ParsedObject parseObject(EntryWindow& window)
     ParsedObject result;
     try
     {
-        const AllocationLimit limit(kLargestAllocation);
+        const AllocationLimit limit(kLargestAllocation, kLargestSum);
         result.object = archive.ReadObject();
         if (!result.object) result.problem = "the object is none that can be stored";
     }

@@ -98,6 +98,7 @@ bool PendingEntries::readOne()
     }
     // The scans keep what is needed of the object; the bytes serve for the copy.
     pending.entry.object.reset();
+    if (pending.entry.kind == RawlogEntry::Kind::Damaged) std::string().swap(pending.entry.bytes);
     bytes_ += pending.entry.bytes.size();
     entries_.push_back(std::move(pending));
     if (minorCounted && !minorCount_) dropMinorScans();

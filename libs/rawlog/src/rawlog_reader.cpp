@@ -20,6 +20,8 @@ namespace
 constexpr std::size_t kNearStart = 1 << 20;
 // Bytes that belong to nothing are handed on in pieces, so that memory stays bounded.
 constexpr std::size_t kLargestGap = 64 << 20;
+// Where so many bytes hold no object, none follows: a sparse file may claim to have any size.
+constexpr std::uint64_t kEndlessGap = std::uint64_t{1} << 30;
 constexpr std::size_t kProblemsKept = 20;
 constexpr char kEndFlag = '\x88';
 
@@ -36,6 +38,21 @@ bool isCutHeader(std::string_view bytes)
     if (bytes.empty() || (bytes[0] & 0x80) == 0) return false;
     const std::size_t whole = std::size_t{1} + (static_cast<unsigned char>(bytes[0]) & 0x7f) + 1;
     return bytes.size() < whole && bytes.find('\0') == std::string_view::npos;
+}
+
+// The next place from which the name of an entry's class, or one that begins with `initial`, may
+// follow in one of the two forms of a header: all that is asked of most bytes of a hole. Near the
+// end of the bytes every place may be one.
+std::size_t nextNameAt(std::string_view bytes, std::size_t at, char initial)
+{
+    constexpr std::size_t kOldNameAt = 4;
+    const auto beginsName = [initial](char c) { return c == 'C' || c == 'm' || c == initial; };
+    while (at + kLongestHeader < bytes.size() && !beginsName(bytes[at + 1]) &&
+           !beginsName(bytes[at + kOldNameAt]))
+    {
+        ++at;
+    }
+    return at;
 }
 
 std::string kindOfForeignFile(std::string_view bytes)
@@ -56,7 +73,8 @@ struct RawlogReader::Impl
 
     EntryWindow window;
     RawlogSummary summary;
-    bool inGap = false;      // the last entry ended where the bytes of nothing go on
+    bool inGap = false;  // the last entry ended where the bytes of nothing go on
+    std::uint64_t gapBytes = 0;
     std::string endsInside;  // what the stream ended in, if the last entry is no object
 
     void checkIsRawlog(const std::filesystem::path& path)
@@ -89,10 +107,12 @@ struct RawlogReader::Impl
             className.empty()
                 ? std::string()
                 : kEndFlag + std::string(1, static_cast<char>(0x80 | className.size())) + className;
+        const char initial = className.empty() ? 'C' : className.front();
         for (std::size_t at = from; at < limit; ++at)
         {
             window.require(at + kLongestHeader);
             const std::string_view bytes = window.loaded();
+            at = std::min(nextNameAt(bytes, at, initial), limit - 1);
             if (at >= bytes.size()) return bytes.size();
             if (beginsEntry(bytes.substr(at, kLongestHeader))) return at;
             const bool sameClass =
@@ -203,8 +223,11 @@ struct RawlogReader::Impl
         const std::size_t bytes = findEntry(1, kLargestGap, className);
         RawlogEntry entry = take(kind, bytes, std::move(problem));
         inGap = bytes == kLargestGap && window.require(1) && !beginsHere();
+        gapBytes = inGap ? gapBytes + bytes : 0;
         return entry;
     }
+
+    bool isInEndlessGap() const { return gapBytes >= kEndlessGap; }
 
     bool beginsHere()
     {
@@ -217,6 +240,8 @@ struct RawlogReader::Impl
         const bool lost = last && (last->kind == RawlogEntry::Kind::Unknown ||
                                    last->kind == RawlogEntry::Kind::Damaged);
         std::string why = window.input().problem();
+        if (isInEndlessGap())
+            why += std::string(why.empty() ? "" : "; ") + "no object in 1 GB of bytes";
         if (why.empty() && lost && !endsInside.empty() && !window.require(1))
         {
             why = "the file ends inside " + endsInside;
@@ -239,7 +264,7 @@ RawlogReader::~RawlogReader() = default;
 std::optional<RawlogEntry> RawlogReader::next()
 {
     std::optional<RawlogEntry> entry;
-    if (impl_->window.require(1)) entry = impl_->readEntry();
+    if (!impl_->isInEndlessGap() && impl_->window.require(1)) entry = impl_->readEntry();
     impl_->noteTruncation(entry);
     return entry;
 }

@@ -3,12 +3,14 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 
 namespace vdamf
 {
-/// While it lives, no single allocation of this thread may be larger than `bytes`; larger ones
-/// throw std::bad_alloc. MRPT sizes its vectors by numbers from the file, so a flipped bit may ask
-/// for tens of gigabytes.
+/// While it lives, no single allocation of this thread may be larger than `bytes`, nor may all of
+/// them together, those given back included, be larger than `sum`: what is beyond throws
+/// std::bad_alloc. MRPT sizes its containers by numbers from the file, so a flipped bit may ask for
+/// tens of gigabytes, in one piece or in millions.
 ///
 /// It works only in programs that link the object library `vdamf_allocation_guard`, which replaces
 /// the global operator new: the programs of this project do. Elsewhere it does nothing, because
@@ -16,16 +18,21 @@ namespace vdamf
 class AllocationLimit
 {
 public:
-    explicit AllocationLimit(std::size_t bytes);
+    static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+
+    explicit AllocationLimit(std::size_t bytes, std::size_t sum = kNone);
     ~AllocationLimit();
     AllocationLimit(const AllocationLimit&) = delete;
     AllocationLimit& operator=(const AllocationLimit&) = delete;
 
-    /// The limit in force in this thread, bytes; the largest number where there is none.
+    /// The limit of one allocation in force in this thread, bytes; kNone where there is none.
     static std::size_t current() noexcept;
+    /// Counts an allocation; false where it must not be. For the guard.
+    static bool take(std::size_t bytes) noexcept;
 
 private:
-    std::size_t before_;
+    std::size_t largestBefore_;
+    std::size_t leftBefore_;
 };
 
 }  // namespace vdamf

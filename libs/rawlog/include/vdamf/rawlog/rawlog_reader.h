@@ -59,7 +59,8 @@ public:
     RawlogReader(const RawlogReader&) = delete;
     RawlogReader& operator=(const RawlogReader&) = delete;
 
-    /// The next entry, or nothing at the end of the file (or where a truncated file ends).
+    /// The next entry, or nothing at the end of the file (or where a truncated file ends, or where
+    /// 1 GB of bytes held no object).
     /// Concatenated `bytes` of all entries are the whole uncompressed file.
     std::optional<RawlogEntry> next();
 

@@ -39,7 +39,7 @@ struct TrackRawlogJob
     std::string version;  ///< of the program, for the annotation
     /// Of entries that wait for the first frame, whose time the annotation's head is stamped with;
     /// beyond, it gets the stamp of the first scan.
-    std::size_t heldBytes = std::size_t{256} << 20;
+    std::size_t heldBytes = std::size_t{64} << 20;
 };
 
 struct TrackRawlogSummary
