@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <limits>
 #include <stdexcept>
 #include <system_error>
 
@@ -181,6 +182,14 @@ void GzInput::report(const std::string& what)
     if (problem_.size() > kEnough) return;
     if (!problem_.empty()) problem_ += "; ";
     problem_ += what + " at byte " + std::to_string(taken_ - available()) + " of the file";
+}
+
+std::uint64_t GzInput::largestContent() const
+{
+    constexpr std::uint64_t kUnknown = std::numeric_limits<std::uint64_t>::max();
+    constexpr std::uint64_t kDeflateAtBest = 1032;  // zlib's technical details
+    const std::uint64_t factor = inflater_ ? kDeflateAtBest : 1;
+    return fileSize_ == 0 || fileSize_ > kUnknown / factor ? kUnknown : fileSize_ * factor;
 }
 
 double GzInput::progress() const

@@ -31,6 +31,8 @@ public:
 
     /// What is wrong with the gz stream, so far; empty: nothing.
     const std::string& problem() const { return problem_; }
+    /// The uncompressed size is at most this many bytes; the largest number for pipes.
+    std::uint64_t largestContent() const;
     /// Part of the file read so far, 0..1; 0 where its size is not known (pipes).
     double progress() const;
 

@@ -3,6 +3,8 @@
 
 #include <mrpt/serialization/CArchive.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <cstring>
 #include <new>
 #include <stdexcept>
@@ -57,6 +59,18 @@ private:
     bool reachedEnd_ = false;
 };
 
+// Objects in memory are a few times larger than in a file. So what a small file claims to hold
+// costs no time either: MRPT fills its containers with zeros before it reads.
+AllocationLimit limitFor(const GzInput& input)
+{
+    constexpr std::uint64_t kInMemory = 64;
+    constexpr std::uint64_t kAlways = 1 << 20;
+    const std::uint64_t most = std::min<std::uint64_t>(input.largestContent(), kLargestSum);
+    const auto plausible = static_cast<std::size_t>(kAlways + kInMemory * most);
+    return AllocationLimit(std::min(kLargestAllocation, plausible),
+                           std::min(kLargestSum, plausible));
+}
+
 std::string reasonOf(const std::exception& error, const WindowArchive& archive)
 {
     if (archive.reachedEnd()) return "the file ends inside this object";
@@ -70,7 +84,7 @@ ParsedObject parseObject(EntryWindow& window)
     ParsedObject result;
     try
     {
-        const AllocationLimit limit(kLargestAllocation, kLargestSum);
+        const AllocationLimit limit = limitFor(window.input());
         result.object = archive.ReadObject();
         if (!result.object) result.problem = "the object is none that can be stored";
     }
