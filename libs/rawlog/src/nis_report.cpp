@@ -20,6 +20,12 @@ bool isWorse(const TrackNis& a, const TrackNis& b)
     return aClaimsTooMuch ? a.nis.mean > b.nis.mean : a.nis.mean < b.nis.mean;
 }
 
+TrackNis rowFor(std::uint64_t id, const std::vector<double>& values)
+{
+    const Consistency nis = consistencyOf(values, kFreedom);
+    return {id, nis, verdictOf(nis)};
+}
+
 std::string rowOf(const TrackNis& track)
 {
     std::string row = std::to_string(track.trackId) + ',' + std::to_string(track.nis.count);
@@ -33,21 +39,36 @@ std::string rowOf(const TrackNis& track)
 void NisCollector::add(const FrameResult& frame)
 {
     for (const TrackReport& track : frame.tracks)
+    {
         if (track.nis && track.status == TrackStatus::Confirmed)
-            byTrack_[track.id].push_back(*track.nis);
+        {
+            living_[track.id].push_back(*track.nis);
+            addToAll(*track.nis);
+        }
+        const auto found = living_.find(track.id);
+        if (track.status != TrackStatus::Ended || found == living_.end()) continue;
+        ended_.push_back(rowFor(track.id, found->second));
+        living_.erase(found);
+    }
+}
+
+void NisCollector::addToAll(double nis)
+{
+    constexpr std::size_t kMost = 1 << 20;
+    if (updates_++ % stride_ != 0) return;
+    all_.push_back(nis);
+    if (all_.size() < kMost) return;
+    for (std::size_t i = 0; 2 * i < all_.size(); ++i) all_[i] = all_[2 * i];
+    all_.resize(all_.size() / 2);
+    stride_ *= 2;
 }
 
 NisReport NisCollector::report() const
 {
-    NisReport report;
-    std::vector<double> all;
-    for (const auto& [id, values] : byTrack_)
-    {
-        all.insert(all.end(), values.begin(), values.end());
-        const Consistency nis = consistencyOf(values, kFreedom);
-        report.tracks.push_back({id, nis, verdictOf(nis)});
-    }
-    report.all = consistencyOf(all, kFreedom);
+    NisReport report{consistencyOf(all_, kFreedom), ended_};
+    for (const auto& [id, values] : living_) report.tracks.push_back(rowFor(id, values));
+    std::sort(report.tracks.begin(), report.tracks.end(),
+              [](const TrackNis& a, const TrackNis& b) { return a.trackId < b.trackId; });
     return report;
 }
 

@@ -154,7 +154,11 @@ private:
         summary_.lastTime = result.time;
         nis_.add(result);
         for (const TrackReport& track : result.tracks)
-            if (track.status == TrackStatus::Confirmed) confirmed_.insert(track.id);
+        {
+            if (track.status == TrackStatus::Confirmed && confirmed_.insert(track.id).second)
+                ++summary_.tracksConfirmed;
+            if (track.status == TrackStatus::Ended) confirmed_.erase(track.id);
+        }
     }
 
     void copyFirst()
@@ -182,7 +186,6 @@ private:
         summary_.read = reader_.summary();
         summary_.insSource = ins_.sourceName();
         summary_.ins = ins_.report();
-        summary_.tracksConfirmed = confirmed_.size();
         summary_.nis = nis_.report();
         if (summary_.frames > 0) outputs_.write(summary_.nis);
     }
@@ -227,7 +230,7 @@ private:
     Tracker tracker_;
     TrackOutputs outputs_;
     NisCollector nis_;
-    std::set<std::uint64_t> confirmed_;
+    std::set<std::uint64_t> confirmed_;  // that live
     std::uint64_t scansMet_ = 0;  // before the range and in it
     std::optional<double> firstScanTime_;
     std::optional<double> firstEntryTime_;

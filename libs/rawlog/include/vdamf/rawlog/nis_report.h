@@ -26,7 +26,9 @@ struct NisReport
     std::vector<TrackNis> tracks;  ///< by rising id
 };
 
-/// Gathers the NIS of the updates of confirmed tracks: 8 bytes an update.
+/// Gathers the NIS of the updates of confirmed tracks: 8 bytes an update of a track that lives, a
+/// row of the report for one that has ended, and 8 MB for all of them together: behind so many
+/// updates, `all` is told from every second one, then from every fourth, and so on.
 class NisCollector
 {
 public:
@@ -34,7 +36,13 @@ public:
     NisReport report() const;
 
 private:
-    std::map<std::uint64_t, std::vector<double>> byTrack_;
+    void addToAll(double nis);
+
+    std::map<std::uint64_t, std::vector<double>> living_;  ///< by track
+    std::vector<TrackNis> ended_;
+    std::vector<double> all_;
+    std::uint64_t updates_ = 0;
+    std::uint64_t stride_ = 1;  ///< of the updates that are in all_
 };
 
 /// Tracks with as many updates as a verdict needs that are not consistent, at most `most` of them:

@@ -74,11 +74,11 @@ using FrameListener =
 /// trackRawlog() checks it too, before it opens any output.
 void checkPaths(const TrackRawlogJob& job);
 
-/// Runs the job. Memory does not grow with the input, but for 8 bytes an update of a track: a scan
-/// waits for INS poses at most over one second of entries behind its end, and for earlier scans
-/// that stand behind it in the file over 0.2 seconds. Outputs appear under their names when whole;
-/// after an error (thrown as std::runtime_error, its message names the file and the cause) or an
-/// interruption the frames done so far are in `<output>.partial`. `stop`, set from a signal
+/// Runs the job. Memory does not grow with the input, but for a row of the NIS report a track: a
+/// scan waits for INS poses at most over one second of entries behind its end, and for earlier
+/// scans that stand behind it in the file over 0.2 seconds. Outputs appear under their names when
+/// whole; after an error (thrown as std::runtime_error, its message names the file and the cause)
+/// or an interruption the frames done so far are in `<output>.partial`. `stop`, set from a signal
 /// handler, ends the run after the current frame.
 TrackRawlogSummary trackRawlog(const TrackRawlogJob& job, const std::atomic<bool>& stop,
                                const FrameListener& listener = {});
