@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vdamf_benchmark_endurance: hours of driving from one short drive, as fast as the machine can.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+
+#include "endurance/endurance.h"
+
+namespace
+{
+void print(const vdamf::endurance::Row& row)
+{
+    std::printf("%8.2f %10.1f %10llu %10.3f %10.1f %12.6f %8.2f\n", row.hours, row.kilometres,
+                static_cast<unsigned long long>(row.frames), row.milliseconds, row.megabytes,
+                1e3 * row.deviation, 100.0 * row.alike);
+    std::fflush(stdout);
+}
+
+void print(const vdamf::endurance::Result& result)
+{
+    const auto line = [](const char* name, std::uint64_t value)
+    { std::printf("  %-34s %llu\n", name, static_cast<unsigned long long>(value)); };
+    line("rounds", result.rounds);
+    line("tracks", result.tracks);
+    line("confirmed", result.confirmed);
+    line("identities used twice", result.reused);
+}
+}  // namespace
+
+int main(int argc, char** argv)
+{
+    CLI::App app("Replays a drive for hours of recording time, ever farther from where it began.");
+    vdamf::endurance::Plan plan;
+    plan.rawlog = VDAMF_SOURCE_DIR "/datasets/street/street.rawlog";
+    app.add_option("-i,--input", plan.rawlog, "rawlog of poses (CObservationRobotPose) and scans");
+    app.add_option("--hours", plan.hours, "of recording time")->check(CLI::PositiveNumber);
+    app.add_option("--drift-m", plan.drift, "to the east and north from round to round");
+    app.add_option("--rows", plan.rows, "of the table")->check(CLI::Range(1, 1000));
+    CLI11_PARSE(app, argc, argv);
+    try
+    {
+        std::printf("%8s %10s %10s %10s %10s %12s %8s\n", "hours", "km", "frames", "ms/frame", "MB",
+                    "deviation_mm", "alike_%");
+        const auto result =
+            vdamf::endurance::run(plan, [](const vdamf::endurance::Row& row) { print(row); });
+        print(result);
+        return result.reused == 0 ? 0 : 1;
+    }
+    catch (const std::exception& error)
+    {
+        std::fprintf(stderr, "vdamf_benchmark_endurance: %s\n", error.what());
+        return 1;
+    }
+}
