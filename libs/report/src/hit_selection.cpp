@@ -163,7 +163,7 @@ ShownHits selectHits(const LadarFrame& frame, const FrameResult& result,
             .push_back(p);
     }
     std::size_t left = options.hitsPerFrame;
-    thin(shown.clusters, kFine, left / 2);
+    thin(shown.clusters, kFine, left / 3 * 2);
     left -= countOf(shown.clusters);
     shown.ground = thinned(shown.ground, kGround, left / 4);
     shown.overhead = thinned(shown.overhead, kGround, left / 8);
