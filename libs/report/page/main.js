@@ -47,7 +47,7 @@ class Views {
     if (this.state.view === "3d" && this.space.works) {
       const anchor = this.map.anchor();
       this.map.anchorKept = anchor;
-      const low = this.state.run.sensorAt(this.state.frame)[2] - kSensorHeight + 0.5;
+      const low = this.state.run.sensorAt(this.state.frame)[2] - kUsualSensorHeight + 0.5;
       this.space.draw([anchor[0] + this.map.offset[0], anchor[1] + this.map.offset[1], low]);
     } else {
       this.map.draw();
@@ -137,6 +137,7 @@ async function start() {
   const data = new TextDecoder().decode(await unpack("run"));
   const run = new Run(JSON.parse(data));
   const state = new State(run);
+  state.seek(run.firstTelling());
   document.getElementById("title").textContent = run.facts.title;
   document.getElementById("subtitle").textContent =
       `${run.count} frames, ${run.times[run.count - 1].toFixed(1)} s, ${

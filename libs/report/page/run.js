@@ -79,6 +79,12 @@ class Run {
         .sort((a, b) => b.count - a.count);
   }
 
+  /** A frame that shows something: in the first ones tracks are not believed yet. */
+  firstTelling() {
+    const counts = this.tracksByFrame.map((tracks) => tracks.length);
+    return Math.max(0, counts.findIndex((count) => count > 0.6 * medianOf(counts)));
+  }
+
   sensorAt(frame) { return this.frames.sensor[frame]; }
 
   /** The frame shown at a time: the last one that is not later. */

@@ -20,21 +20,25 @@ function rgba(css) {
 /** Places are relative to `target`, so that single precision is enough. */
 function sceneOf(state, shown, target) {
   const scene = {points: [], lines: [], faces: []};
-  const add = (rows, [x, y, z], [r, g, b], alpha = 1) =>
+  const add = (rows, [x, y, z], [r, g, b, a], alpha = a) =>
       rows.push(x - target[0], y - target[1], z - target[2], r, g, b, alpha);
+  const ground = groundHeight(state, shown);
   if (shown) addHits(scene, add, state, shown);
-  addGrid(scene, add, state, target);
+  addGrid(scene, add, ground, target);
   if (state.layers.boxes)
-    for (const {track, i} of state.run.tracksAt(state.frame))
-      addBox(scene, add, track.box(i), rgba(trackColour(state, track, i)),
-             state.track === track.id ? 0.35 : 0.14, track.faces[i]);
+    for (const {track, i} of state.run.tracksAt(state.frame)) {
+      const [r, g, b] = rgba(trackColour(state, track, i));
+      const subdued = isSubdued(state, track, i);
+      addBox(scene, add, track.box(i), [r, g, b, subdued ? 0.5 : 1],
+             subdued ? 0 : state.track === track.id ? 0.35 : 0.14, track.faces[i]);
+    }
   if (state.layers.truth && state.run.truth)
     for (const {object, index, i} of state.run.objectsAt(state.frame)) {
       const missed = state.run.matches[state.frame].missed.has(index);
       addBox(scene, add, object.box(i), rgba(colour(missed ? "bad" : "truth")),
              missed ? 0.3 : 0, "");
     }
-  addSensor(scene, add, state);
+  addSensor(scene, add, state, ground);
   return scene;
 }
 
@@ -48,10 +52,23 @@ function addHits(scene, add, state, {hits, origin}) {
   }
 }
 
-/** Lines every 10 m, on the ground below the sensor. */
-function addGrid(scene, add, state, target) {
+const kUsualSensorHeight = 1.8;
+
+/** Of the ground around the sensor, from the hits on it; without any, that of a usual sensor. */
+function groundHeight(state, shown) {
+  const sensor = state.run.sensorAt(state.frame);
+  const group = shown?.hits.groups[GROUND];
+  const heights = [];
+  for (let k = group?.begin ?? 0; k < (group?.end ?? 0); ++k)
+    if (Math.hypot(shown.origin[0] + shown.hits.x[k] - sensor[0],
+                   shown.origin[1] + shown.hits.y[k] - sensor[1]) < 15)
+      heights.push(shown.origin[2] + shown.hits.z[k]);
+  return heights.length > 10 ? medianOf(heights) : sensor[2] - kUsualSensorHeight;
+}
+
+/** Lines every 10 m. */
+function addGrid(scene, add, ground, target) {
   const ink = rgba(colour("grid"));
-  const ground = state.run.sensorAt(state.frame)[2] - kSensorHeight;
   const x0 = Math.round(target[0] / 10) * 10, y0 = Math.round(target[1] / 10) * 10;
   for (let k = -60; k <= 60; k += 10)
     for (const [a, b] of [[[x0 + k, y0 - 60], [x0 + k, y0 + 60]],
@@ -60,8 +77,6 @@ function addGrid(scene, add, state, target) {
       add(scene.lines, [...b, ground], ink);
     }
 }
-
-const kSensorHeight = 1.9;
 
 /** Edges, a mark to the front and faces; those seen are fuller. */
 function addBox(scene, add, box, ink, alpha, letters) {
@@ -86,14 +101,14 @@ function addBox(scene, add, box, ink, alpha, letters) {
          letters.includes(letter) ? alpha + 0.25 : alpha * 0.6);
 }
 
-/** A post where the sensor is, and its path. */
-function addSensor(scene, add, state) {
+/** A post where the sensor is, and its path: as high over the path as now over the ground. */
+function addSensor(scene, add, state, ground) {
   const ink = rgba(colour("sensor"));
   const [x, y, z] = state.run.sensorAt(state.frame);
-  add(scene.lines, [x, y, z - kSensorHeight], ink);
+  add(scene.lines, [x, y, ground], ink);
   add(scene.lines, [x, y, z + 0.3], ink);
   const path = state.run.frames.sensor;
   for (let f = 1; f <= state.frame; ++f)
     for (const [px, py, pz] of [path[f - 1], path[f]])
-      add(scene.lines, [px, py, pz - kSensorHeight], ink);
+      add(scene.lines, [px, py, pz - (z - ground)], ink);
 }

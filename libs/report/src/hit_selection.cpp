@@ -69,26 +69,40 @@ bool isPublished(const TrackReport& track)
     return track.status == TrackStatus::Confirmed || track.status == TrackStatus::Coasting;
 }
 
-/// The track whose box holds most of the hits, if it holds half of them.
+/// How many hits of a cluster lie in a box with some margin. All relative to the frame's origin.
+std::size_t countIn(const OrientedBox& box, const Cluster& cluster)
+{
+    const Eigen::Matrix2f toBox = rotation(-box.heading).cast<float>();
+    const Eigen::Vector2f centre = box.centre().cast<float>();
+    const Eigen::Array2f half(0.5 * box.length + kTrackMargin, 0.5 * box.width + kTrackMargin);
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < cluster.size(); ++i)
+    {
+        const Eigen::Array2f p = toBox * (Eigen::Vector2f(cluster.x[i], cluster.y[i]) - centre);
+        count += (p.abs() < half).all() ? 1 : 0;
+    }
+    return count;
+}
+
+/// The published track whose box holds most of the hits, if it holds half of them.
 std::uint64_t trackOf(const Cluster& cluster, const LadarFrame& frame, const FrameResult& result)
 {
+    const Eigen::Map<const Eigen::ArrayXf> x(cluster.x.data(),
+                                             static_cast<Eigen::Index>(cluster.size()));
+    const Eigen::Map<const Eigen::ArrayXf> y(cluster.y.data(), x.size());
     std::uint64_t best = 0;
     std::size_t most = cluster.size() / 2;
     for (const TrackReport& track : result.tracks)
     {
         if (!isPublished(track)) continue;
-        const OrientedBox box = track.measuredBox.value_or(track.box);
-        const Eigen::Vector2d origin = frame.origin.head<2>();
-        std::size_t inside = 0;
-        for (std::size_t i = 0; i < cluster.size(); ++i)
-        {
-            const Eigen::Vector2d p =
-                toBoxFrame(box, origin + Eigen::Vector2d(cluster.x[i], cluster.y[i]));
-            inside += std::abs(p.x()) < 0.5 * box.length + kTrackMargin &&
-                              std::abs(p.y()) < 0.5 * box.width + kTrackMargin
-                          ? 1
-                          : 0;
-        }
+        OrientedBox box = track.measuredBox.value_or(track.box);
+        box.x -= frame.origin.x();
+        box.y -= frame.origin.y();
+        const double reach = 0.5 * std::hypot(box.length, box.width) + 2.0 * kTrackMargin;
+        if (x.minCoeff() > box.x + reach || x.maxCoeff() < box.x - reach ||
+            y.minCoeff() > box.y + reach || y.maxCoeff() < box.y - reach)
+            continue;
+        const std::size_t inside = countIn(box, cluster);
         if (inside <= most) continue;
         most = inside;
         best = track.id;
@@ -149,7 +163,7 @@ ShownHits selectHits(const LadarFrame& frame, const FrameResult& result,
             .push_back(p);
     }
     std::size_t left = options.hitsPerFrame;
-    thin(shown.clusters, kFine, left / 2);
+    thin(shown.clusters, kFine, left / 3 * 2);
     left -= countOf(shown.clusters);
     shown.ground = thinned(shown.ground, kGround, left / 4);
     shown.overhead = thinned(shown.overhead, kGround, left / 8);

@@ -42,7 +42,7 @@ struct HitSelectionOptions
 };
 
 /// Ground removal and clustering as the tracker does them, then thinning: hits in one cell of a
-/// grid count as one, and cells grow until the hits are few enough. Half of the hits are for
+/// grid count as one, and cells grow until the hits are few enough. Two thirds of the hits are for
 /// clusters on tracks, a quarter of the rest for the ground. A cluster keeps some hits always.
 ShownHits selectHits(const LadarFrame& frame, const FrameResult& result,
                      const HitSelectionOptions& options);

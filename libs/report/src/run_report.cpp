@@ -16,7 +16,7 @@ namespace vdamf
 {
 namespace
 {
-constexpr int kGzLevel = 9;
+constexpr int kGzLevel = 6;
 
 std::string packed(std::string_view bytes)
 {

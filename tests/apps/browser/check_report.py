@@ -31,6 +31,8 @@ class Reader:
         shown = len({row["time_s"] for row in self.rows})
         assert self.page.js("report.run.count") == shown, "frames"
         assert "%d objects" % len(ids) in self.text("#subtitle"), self.text("#subtitle")
+        assert self.page.js("report.run.tracksAt(report.state.frame).length") > 0
+        self.page.press("Home")
         self.page.wait("report.views.store.ready.has(0)")
 
     def steps_and_seeks(self):
