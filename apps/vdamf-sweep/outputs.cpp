@@ -69,10 +69,16 @@ void writeOutputs(const PreparedSweep& sweep, const SweepResults& results, const
 void printOutcome(const PreparedSweep& sweep, const SweepResults& results, std::size_t skipped,
                   const fs::path& folder)
 {
-    std::printf("%zu settings, %zu recordings, %zu runs", results.settings.size(),
-                results.recordings.size(), results.rows.size());
+    const auto counted = [](std::size_t count, const std::string& what)
+    { return std::to_string(count) + " " + what + (count == 1 ? "" : "s"); };
+    std::printf("%s, %s, %s", counted(results.settings.size(), "setting").c_str(),
+                counted(results.recordings.size(), "recording").c_str(),
+                counted(results.rows.size(), "run").c_str());
     if (skipped > 0) std::printf(" (%zu were done before)", skipped);
     std::printf("\n");
+    for (const std::string& name : silentRecordings(results))
+        std::printf("%s has no %s with any setting, and does not count\n", name.c_str(),
+                    results.goal.metric.c_str());
     const std::optional<std::size_t> best = bestSetting(results);
     if (best)
     {

@@ -95,8 +95,7 @@ TEST_F(SweepOnSlurm, GivesUpATaskThatIsKilledTooOften)
     runShell("scancel " + job.substr(0, job.find('\n')) + "_1");
     EXPECT_EQ(waitForExit(process), 1);
     EXPECT_THAT(contentOf("out.txt"), HasSubstr("setting 2 failed: job "));
-    EXPECT_THAT(contentOf("out.txt"),
-                HasSubstr("ended without a result, attempt 1 of 1"));
+    EXPECT_THAT(contentOf("out.txt"), HasSubstr("ended without a result, attempt 1 of 1"));
     EXPECT_EQ(runsIn("slurm"), 1U);
 }
 

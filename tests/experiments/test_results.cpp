@@ -77,6 +77,20 @@ TEST(SweepResults, ASettingWithAFailedRunIsNotTheBest)
     EXPECT_EQ(bestSetting(results), std::nullopt);
 }
 
+TEST(SweepResults, ARecordingThatFailsWithEverySettingDoesNotCount)
+{
+    SweepResults results = example();
+    EXPECT_TRUE(silentRecordings(results).empty());
+    for (SweepRow& row : results.rows)
+        if (row.recording == 1) row.failure = "no such file";
+    EXPECT_THAT(silentRecordings(results), ElementsAre("b<c"));
+    EXPECT_EQ(bestSetting(results), 1U);
+    EXPECT_EQ(summaries(results)[1].means[0], 0.9);
+    EXPECT_EQ(summaries(results)[1].msPerFrame, 1.0);
+    EXPECT_EQ(summaries(results)[0].failures, 1U);
+    EXPECT_THAT(sweepPage(results, "x"), HasSubstr("b&lt;c has no hota.hota with any setting"));
+}
+
 TEST(SweepResults, TheFrontHoldsWhatNothingElseBeats)
 {
     SweepResults results = example();

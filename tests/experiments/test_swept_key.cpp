@@ -39,8 +39,7 @@ TEST(SweptKey, ListsRangesAndLogRanges)
     EXPECT_THAT(valuesOf("3 : -1 : 1"), ElementsAre("3", "2", "1"));
     EXPECT_THAT(valuesOf("0 : 0.4 : 1"), ElementsAre("0", "0.4", "0.8"));
     EXPECT_THAT(valuesOf("2 : 1 : 2"), ElementsAre("2"));
-    EXPECT_THAT(valuesOf("log 0.01 : 1 : 5"),
-                ElementsAre("0.01", "0.0316227766", "0.1", "0.316227766", "1"));
+    EXPECT_THAT(valuesOf("log 0.01 : 1 : 5"), ElementsAre("0.01", "0.03162", "0.1", "0.3162", "1"));
     EXPECT_THAT(valuesOf("paper, face_lines"), ElementsAre("paper", "face_lines"));
     EXPECT_THAT(valuesOf("true"), ElementsAre("true"));
 }

@@ -13,7 +13,8 @@ namespace vdamf
 {
 namespace
 {
-constexpr double kFieldWidth = 74.0;
+constexpr double kLeastFieldWidth = 74.0;
+constexpr double kLetterWidth = 7.0;
 constexpr double kFieldHeight = 34.0;
 constexpr double kLeft = 130.0;
 constexpr double kTop = 30.0;
@@ -53,7 +54,9 @@ struct HeatMap
     std::vector<Field> fields;  ///< row by row
     double least = 0.0;
     double most = 0.0;
+    double fieldWidth = kLeastFieldWidth;  ///< room for the longest value below it
 
+    double left(std::size_t x) const { return kLeft + fieldWidth * static_cast<double>(x); }
     const Field& at(std::size_t x, std::size_t y) const
     {
         return fields[y * across.values.size() + x];
@@ -89,15 +92,15 @@ std::string fieldSvg(const HeatMap& map, std::size_t x, std::size_t y)
     if (field.count == 0) return "";
     const double range = map.most - map.least;
     const double share = range > 0.0 ? (field.mean() - map.least) / range : 0.5;
-    const double left = kLeft + kFieldWidth * static_cast<double>(x);
+    const double left = map.left(x);
     const std::string value = shownNumber(field.mean());
     return "<rect x=\"" + toFixedText(left, 1) + "\" y=\"" + toFixedText(top(map, y), 1) +
-           "\" width=\"" + toFixedText(kFieldWidth - 1.0, 1) + "\" height=\"" +
+           "\" width=\"" + toFixedText(map.fieldWidth - 1.0, 1) + "\" height=\"" +
            toFixedText(kFieldHeight - 1.0, 1) + "\" fill=\"" + colourAt(share) + "\"><title>" +
            escapedHtml(map.across.axis.label + " = " + map.across.values[x] + ", " +
                        map.up.axis.label + " = " + map.up.values[y] + ": " + value) +
            "</title></rect>\n" +
-           text(left + 0.5 * kFieldWidth, top(map, y) + 0.5 * kFieldHeight + 4.0, value,
+           text(left + 0.5 * map.fieldWidth, top(map, y) + 0.5 * kFieldHeight + 4.0, value,
                 std::string("class=\"") + (share > 0.6 ? "on-light" : "on-dark") +
                     "\" text-anchor=\"middle\"");
 }
@@ -106,7 +109,7 @@ std::string labelsSvg(const HeatMap& map, double width, double height)
 {
     std::string svg;
     for (std::size_t x = 0; x < map.across.values.size(); ++x)
-        svg += text(kLeft + kFieldWidth * (static_cast<double>(x) + 0.5), height - kBottom + 18.0,
+        svg += text(map.left(x) + 0.5 * map.fieldWidth, height - kBottom + 18.0,
                     map.across.values[x], "text-anchor=\"middle\"");
     for (std::size_t y = 0; y < map.up.values.size(); ++y)
         svg += text(kLeft - 8.0, top(map, y) + 0.5 * kFieldHeight + 4.0, map.up.values[y],
@@ -120,9 +123,12 @@ std::string labelsSvg(const HeatMap& map, double width, double height)
 
 HeatMap heatMap(const SweepResults& results, std::size_t metric, std::size_t across, std::size_t up)
 {
-    HeatMap map{keyAxis(results, across), keyAxis(results, up), {}, 0.0, 0.0};
+    HeatMap map{keyAxis(results, across), keyAxis(results, up), {}};
     map.across.axis.label = results.keys[across];
     map.up.axis.label = results.keys[up];
+    for (const std::string& value : map.across.values)
+        map.fieldWidth =
+            std::max(map.fieldWidth, kLetterWidth * static_cast<double>(value.size() + 2));
     map.fields.resize(map.across.values.size() * map.up.values.size());
     for (const SweepRow& row : results.rows)
     {
@@ -147,7 +153,7 @@ std::string heatMapSvg(const SweepResults& results, std::size_t metric, std::siz
                                       [](const Field& field) { return field.count > 0; });
     const bool isGrid = 2 * static_cast<std::size_t>(filled) > map.fields.size();
     if (columns > kMostValues || rows > kMostValues || !isGrid) return "";
-    const double width = kLeft + kFieldWidth * static_cast<double>(columns) + kRight;
+    const double width = map.left(columns) + kRight;
     const double height = kTop + kFieldHeight * static_cast<double>(rows) + kBottom;
     const std::string size = toFixedText(width, 0) + " " + toFixedText(height, 0);
     std::string svg = "<svg viewBox=\"0 0 " + size + "\" width=\"" + toFixedText(width, 0) +

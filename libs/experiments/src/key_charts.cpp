@@ -100,7 +100,7 @@ std::pair<double, double> extent(const Chart& chart, Eigen::Index coordinate)
 void makeRoom(Chart& chart)
 {
     constexpr double kMargin = 0.05;
-    constexpr double kLegendLine = 0.07;  // of the chart's height
+    constexpr double kLegendLine = 0.075;  // of the chart's height
     const auto [left, right] = extent(chart, 0);
     const auto [low, high] = extent(chart, 1);
     if (chart.x.scale == AxisScale::Linear && chart.x.min == chart.x.max && right > left)
@@ -111,7 +111,7 @@ void makeRoom(Chart& chart)
     const auto named = std::count_if(chart.curves.begin(), chart.curves.end(),
                                      [](const Curve& curve) { return !curve.name.empty(); });
     if (high <= low) return;
-    const double room = kMargin + kLegendLine * static_cast<double>(named);
+    const double room = 2.0 * kMargin + kLegendLine * static_cast<double>(named);
     chart.y.min = low - kMargin * (high - low);
     chart.y.max = low + (high - low) / (1.0 - room);
 }

@@ -9,7 +9,7 @@ inline constexpr const char* kPageStyle = R"(
 :root{--bg:#fff;--fg:#1d2329;--muted:#5c6772;--line:#dfe4e8;--card:#f6f8f9;--accent:#0072b2;
 --best:#d55e00;color-scheme:light dark}
 @media(prefers-color-scheme:dark){:root{--bg:#15191d;--fg:#e4e8eb;--muted:#98a3ad;--line:#333b43;
---card:#1d2328;--accent:#56b4e9;--best:#f0a05a}.plot svg{filter:invert(.915) hue-rotate(180deg)}}
+--card:#1d2328;--accent:#56b4e9;--best:#f0a05a}.plot svg{filter:invert(1) hue-rotate(180deg);mix-blend-mode:screen}}
 *{box-sizing:border-box}
 body{margin:0 auto;max-width:1240px;padding:24px;background:var(--bg);color:var(--fg);
 font:15px/1.5 system-ui,sans-serif}
@@ -21,6 +21,7 @@ p{margin:4px 0 12px;color:var(--muted);max-width:80ch}
 .card.best{border-color:var(--best)}code{font:13px ui-monospace,monospace}
 .plots{display:flex;flex-wrap:wrap;gap:14px}.plots>div{max-width:100%;overflow-x:auto}
 svg{max-width:100%;height:auto;font:12px system-ui,sans-serif;fill:currentColor}
+.plot svg{fill:#1d2329}
 .grid{stroke:var(--line);fill:none}.front{stroke:var(--best);stroke-width:2;fill:none}
 .point{fill:var(--accent);fill-opacity:.75;cursor:pointer}.point.best{fill:var(--best);fill-opacity:1}
 .on-dark{fill:#fff}.on-light{fill:#111}

@@ -38,38 +38,65 @@ struct Mean
     }
 };
 
-struct Means
+std::optional<double> valueOf(const SweepRow& row, std::size_t metric)
 {
-    std::vector<Mean> metrics;
-    Mean time;
-    std::size_t failures = 0;
+    return row.failure.empty() ? row.values[metric] : std::nullopt;
+}
 
-    void add(const SweepRow& row)
-    {
-        const bool failed = !row.failure.empty();
-        failures += failed ? 1 : 0;
-        for (std::size_t k = 0; k < metrics.size(); ++k)
-            metrics[k].add(failed ? std::nullopt : row.values[k]);
-        time.add(failed ? std::nullopt : std::optional<double>(row.times.trackingMsPerFrame));
-    }
-};
+std::optional<double> timeOf(const SweepRow& row)
+{
+    if (!row.failure.empty()) return std::nullopt;
+    return row.times.trackingMsPerFrame;
+}
+
+// By recording: whether any setting knows the value.
+template <class Value>
+std::vector<bool> recordingsThatTell(const SweepResults& results, const Value& value)
+{
+    std::vector<bool> tell(results.recordings.size(), false);
+    for (const SweepRow& row : results.rows)
+        if (value(row)) tell[row.recording] = true;
+    return tell;
+}
+
+// By setting, over the recordings that tell something of it.
+template <class Value>
+std::vector<std::optional<double>> meansOf(const SweepResults& results, const Value& value)
+{
+    const std::vector<bool> tell = recordingsThatTell(results, value);
+    std::vector<Mean> means(results.settings.size());
+    for (const SweepRow& row : results.rows)
+        if (tell[row.recording]) means[row.setting].add(value(row));
+    std::vector<std::optional<double>> values;
+    for (const Mean& mean : means) values.push_back(mean.value());
+    return values;
+}
 }  // namespace
 
 std::vector<SettingSummary> summaries(const SweepResults& results)
 {
-    std::vector<Means> means(results.settings.size());
-    for (Means& mean : means) mean.metrics.resize(results.metrics.size());
-    for (const SweepRow& row : results.rows) means[row.setting].add(row);
-    std::vector<SettingSummary> all;
-    for (const Means& mean : means)
+    std::vector<SettingSummary> all(results.settings.size());
+    for (std::size_t k = 0; k < results.metrics.size(); ++k)
     {
-        SettingSummary summary;
-        for (const Mean& metric : mean.metrics) summary.means.push_back(metric.value());
-        summary.msPerFrame = mean.time.value();
-        summary.failures = mean.failures;
-        all.push_back(std::move(summary));
+        const auto means = meansOf(results, [k](const SweepRow& row) { return valueOf(row, k); });
+        for (std::size_t s = 0; s < all.size(); ++s) all[s].means.push_back(means[s]);
     }
+    const auto times = meansOf(results, timeOf);
+    for (std::size_t s = 0; s < all.size(); ++s) all[s].msPerFrame = times[s];
+    for (const SweepRow& row : results.rows)
+        all[row.setting].failures += row.failure.empty() ? 0 : 1;
     return all;
+}
+
+std::vector<std::string> silentRecordings(const SweepResults& results)
+{
+    const std::size_t goal = goalIndex(results);
+    const std::vector<bool> tell =
+        recordingsThatTell(results, [goal](const SweepRow& row) { return valueOf(row, goal); });
+    std::vector<std::string> names;
+    for (std::size_t r = 0; r < tell.size(); ++r)
+        if (!tell[r]) names.push_back(results.recordings[r]);
+    return names;
 }
 
 std::size_t goalIndex(const SweepResults& results)

@@ -81,8 +81,16 @@ private:
         row.failure = failure;
         if (!failure.empty()) return row;
         const fs::path result = planned.task.result;
-        row.values = readMetrics(result / "metrics.json", results_.metrics);
-        row.times = readTimes(result);
+        try
+        {
+            row.values = readMetrics(result / "metrics.json", results_.metrics);
+            row.times = readTimes(result);
+        }
+        catch (const std::runtime_error& error)
+        {
+            throw std::runtime_error(std::string(error.what()) + "; remove the folder " +
+                                     result.string() + " to do this run again");
+        }
         return row;
     }
 

@@ -45,7 +45,11 @@ std::string overview(const SweepResults& results)
                         counted(results.recordings.size(), "recording") +
                         counted(results.rows.size(), "run");
     if (failures > 0) cards += card(std::to_string(failures), "failed", " best");
-    return cards + "</div>\n";
+    cards += "</div>\n";
+    for (const std::string& name : silentRecordings(results))
+        cards += "<p>" + escapedHtml(name) + " has no " + escapedHtml(results.goal.metric) +
+                 " with any setting, and does not count.</p>\n";
+    return cards;
 }
 
 std::string metricChoice(const SweepResults& results)

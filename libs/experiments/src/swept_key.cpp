@@ -16,6 +16,7 @@ namespace vdamf
 namespace
 {
 constexpr int kDigits = 10;
+constexpr int kLogDigits = 4;
 constexpr double kMostValues = 10000;
 
 [[noreturn]] void fail(std::string_view text, const std::string& what)
@@ -71,7 +72,7 @@ std::vector<std::string> ratios(std::string_view whole, const SweptInterval& ran
     for (int i = 0; i < static_cast<int>(count); ++i)
     {
         const double place = i / (count - 1.0);
-        values.push_back(rounded(range.min * std::pow(range.max / range.min, place), kDigits));
+        values.push_back(rounded(range.min * std::pow(range.max / range.min, place), kLogDigits));
     }
     return values;
 }

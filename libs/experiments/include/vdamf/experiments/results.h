@@ -34,7 +34,9 @@ struct SweepResults
     std::vector<SweepRow> rows;  ///< by setting, then by recording
 };
 
-/// What one setting came to over all recordings; nothing where a run failed or does not know it.
+/// What one setting came to over the recordings. One that no setting knows the value of (all of
+/// its runs failed) tells nothing of the settings and is left out; where another setting knows what
+/// this one does not, there is no mean to compare.
 struct SettingSummary
 {
     std::vector<std::optional<double>> means;  ///< by metric
@@ -43,6 +45,9 @@ struct SettingSummary
 };
 
 std::vector<SettingSummary> summaries(const SweepResults& results);
+
+/// Names of the recordings that no setting knows the goal's metric of.
+std::vector<std::string> silentRecordings(const SweepResults& results);
 
 /// The setting with the best mean of the goal's metric, the first one of equals; nothing where
 /// none knows it.
