@@ -155,6 +155,50 @@ TEST_F(ScanTest, FindsExternalFilesWhereverTheRawlogLies)
     EXPECT_TRUE(std::filesystem::exists(folder / "cloud_1.bin"));
 }
 
+/// A cloud as newer versions of MRPT store it: `n` points with intensities, rings and times, as far
+/// as asked for.
+std::string cloudOfNewerMrpt(std::uint32_t n, bool fields)
+{
+    const std::string old = serialized(test::pointCloud(static_cast<int>(n)));
+    const std::string oldName = std::string("\x9a") + "mrpt::maps::CPointsMapXYZI" + '\0';
+    const std::size_t name = old.find(oldName);
+    const std::size_t points = name + oldName.size();
+    const std::size_t intensities = points + 4 + 12 * n;
+    const std::size_t options = intensities + 4 * n;
+    const auto bytes = [](const auto& value)
+    { return std::string(reinterpret_cast<const char*>(&value), sizeof(value)); };
+    std::string added = bytes(fields ? n : 0U);
+    if (fields) added += old.substr(intensities, 4 * n);
+    added += bytes(fields ? n : 0U);
+    for (std::uint16_t i = 0; fields && i < n; ++i) added += bytes(i);
+    added += bytes(fields ? n : 0U);
+    for (std::uint32_t i = 0; fields && i < n; ++i) added += bytes(0.01F * static_cast<float>(i));
+    return old.substr(0, name) + "\x9cmrpt::maps::CPointsMapXYZIRT" + '\0' +
+           old.substr(points, intensities - points) + added + old.substr(options);
+}
+
+TEST_F(ScanTest, OfNewerMrptHasTimes)
+{
+    const std::string whole = cloudOfNewerMrpt(5, true) + cloudOfNewerMrpt(4, false);
+    RawlogReader reader(make("newer.rawlog", whole));
+    const auto entries = test::entriesOf(reader);
+    ASSERT_EQ(entries.size(), 2U) << reader.summary().problems.size();
+    const auto timed = std::dynamic_pointer_cast<mrpt::obs::CObservation>(entries[0].object);
+    ASSERT_TRUE(timed);
+    const auto scan = scanFrom(*timed);
+    ASSERT_EQ(scan->points.time.size(), 5U);
+    EXPECT_NEAR(scan->points.time[3], 0.03F, 1e-7F);
+    EXPECT_FLOAT_EQ(scan->points.intensity[3], 0.25F);
+    EXPECT_NEAR(durationOf(*timed), 0.04, 1e-7);
+    const auto plain = std::dynamic_pointer_cast<mrpt::obs::CObservation>(entries[1].object);
+    ASSERT_TRUE(plain);
+    EXPECT_EQ(scanFrom(*plain)->points.size(), 4U);
+    EXPECT_TRUE(scanFrom(*plain)->points.intensity.empty());
+    EXPECT_TRUE(scanFrom(*plain)->points.time.empty());
+    // It goes out as it came in.
+    EXPECT_TRUE(serialized(*timed) + serialized(*plain) == whole);
+}
+
 TEST_F(ScanTest, SaysWhatItCannotRead)
 {
     CObservationPointCloud observation = test::pointCloud(0);

@@ -11,6 +11,7 @@
 #include "entry_window.h"
 #include "object_header.h"
 #include "object_parser.h"
+#include "timed_points_map.h"
 
 namespace vdamf
 {
@@ -30,6 +31,7 @@ void registerClasses()
     // The linker leaves a library out that nobody calls, and its classes with it.
     mrpt::obs::registerAllClasses_mrpt_obs();
     mrpt::maps::registerAllClasses_mrpt_maps();
+    TimedPointsMap::registerClass();
 }
 
 /// Bytes at the end of a stream that begin like a header and stop before its end.

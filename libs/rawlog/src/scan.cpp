@@ -16,6 +16,7 @@
 #include "object_parser.h"
 #include "range_camera.h"
 #include "rotating_scan.h"
+#include "timed_points_map.h"
 #include "vdamf/rawlog/allocation_limit.h"
 #include "vdamf/rawlog/velodyne_packets.h"
 
@@ -58,6 +59,9 @@ PointCloud pointsOf(const mrpt::maps::CPointsMap& map)
     cloud.x.assign(map.getPointsBufferRef_x().begin(), map.getPointsBufferRef_x().end());
     cloud.y.assign(map.getPointsBufferRef_y().begin(), map.getPointsBufferRef_y().end());
     cloud.z.assign(map.getPointsBufferRef_z().begin(), map.getPointsBufferRef_z().end());
+    const auto* const timed = dynamic_cast<const TimedPointsMap*>(&map);
+    if (timed != nullptr) cloud.time = timed->times();
+    if (timed != nullptr && !timed->hasIntensities()) return cloud;
     if (const auto* withIntensity = dynamic_cast<const mrpt::maps::CPointsMapXYZI*>(&map))
     {
         cloud.intensity.reserve(cloud.size());
@@ -185,6 +189,15 @@ double durationOf(const mrpt::obs::CObservation& observation)
         return durationOf(*velodyne);
     if (const auto* rotating = dynamic_cast<const CObservationRotatingScan*>(&observation))
         return rotating->sweepDuration > 0.0 ? std::min(rotating->sweepDuration, kLongest) : 0.0;
+    const auto* cloud = dynamic_cast<const CObservationPointCloud*>(&observation);
+    if (cloud != nullptr)
+    {
+        const auto* timed = dynamic_cast<const TimedPointsMap*>(cloud->pointcloud.get());
+        double last = 0.0;
+        if (timed != nullptr)
+            for (const float time : timed->times()) last = std::max(last, double{time});
+        return std::min(last, kLongest);
+    }
     return 0.0;
 }
 
