@@ -102,20 +102,22 @@ private:
     std::vector<Slot> slots_;
 };
 
-// The part of the plane that the usable hits of a cluster lie in.
+// The part of the plane that the hits of a cluster lie in, those that are not numbers left out.
 struct Bounds
 {
-    float minX = 1e7F, minY = 1e7F, maxX = -1e7F, maxY = -1e7F;
+    float minX = 1e30F, minY = 1e30F, maxX = -1e30F, maxY = -1e30F;
 
     explicit Bounds(const Cluster& cluster)
     {
-        for (std::size_t i = 0; i < cluster.size(); ++i)
+        for (const float x : cluster.x)
         {
-            if (!isUsable(cluster.x[i], cluster.y[i])) continue;
-            minX = std::min(minX, cluster.x[i]);
-            minY = std::min(minY, cluster.y[i]);
-            maxX = std::max(maxX, cluster.x[i]);
-            maxY = std::max(maxY, cluster.y[i]);
+            minX = x < minX ? x : minX;
+            maxX = x > maxX ? x : maxX;
+        }
+        for (const float y : cluster.y)
+        {
+            minY = y < minY ? y : minY;
+            maxY = y > maxY ? y : maxY;
         }
     }
 };
@@ -183,10 +185,10 @@ std::vector<Cell> cellsOf(const Cluster& cluster, double cellSize)
 {
     if (cellSize <= 0.0) return cellsBy(cluster, NoFinder());
     const Bounds bounds(cluster);
-    if (bounds.minX > bounds.maxX) return {};
+    if (bounds.minX > bounds.maxX || bounds.minY > bounds.maxY) return {};
     const double area = (static_cast<double>(bounds.maxX) - bounds.minX + cellSize) *
                         (static_cast<double>(bounds.maxY) - bounds.minY + cellSize);
-    const double mostCells = 1000.0 + 10.0 * static_cast<double>(cluster.size());
+    const double mostCells = 1000.0 + 40.0 * static_cast<double>(cluster.size());
     if (area < mostCells * cellSize * cellSize)
         return cellsBy(cluster, CellTable(bounds, cellSize));
     return cellsBy(cluster, CellFinder(cellSize));
@@ -218,15 +220,16 @@ Hits projectHits(const Cluster& cluster, double cellSize)
     for (std::size_t i = 0; i < cells.size(); ++i)
     {
         const Cell& cell = cells[i];
-        const double x = cell.sx / cell.n;
-        const double y = cell.sy / cell.n;
+        const double share = 1.0 / cell.n;
+        const double x = cell.sx * share;
+        const double y = cell.sy * share;
         hits.x[i] = cell.x + x;
         hits.y[i] = cell.y + y;
         hits.weight[i] = cell.n;
         hits.totalWeight += cell.n;
-        hits.varianceX[i] = cell.sxx / cell.n - x * x;
-        hits.covariance[i] = cell.sxy / cell.n - x * y;
-        hits.varianceY[i] = cell.syy / cell.n - y * y;
+        hits.varianceX[i] = cell.sxx * share - x * x;
+        hits.covariance[i] = cell.sxy * share - x * y;
+        hits.varianceY[i] = cell.syy * share - y * y;
     }
     return hits;
 }
