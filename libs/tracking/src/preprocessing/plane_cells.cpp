@@ -34,14 +34,16 @@ PlaneHits placesOf(const LadarFrame& frame, const AboveGround& above)
         dx = shift.x(), dy = shift.y(), hx = hits.x.data(), hy = hits.y.data(),
         place = hits.place.data()
     ]() __attribute__((always_inline)) {
-#pragma GCC ivdep
+        VDAMF_INDEPENDENT_LANES
         for (std::size_t i = 0; i < size; ++i)
         {
             const float x = px[index[i]] + dx;
             const float y = py[index[i]] + dy;
             hx[i] = x;
             hy[i] = y;
-            const bool used = (std::abs(x) < kReach) & (std::abs(y) < kReach);
+            const bool inX = std::abs(x) < kReach;
+            const bool inY = std::abs(y) < kReach;
+            const bool used = inX & inY;
             constexpr float kPerMetre = 1.0F / PlaneCells::kSize;
             const auto column = static_cast<std::int32_t>((used ? x + kReach : 0.0F) * kPerMetre);
             const auto row = static_cast<std::int32_t>((used ? y + kReach : 0.0F) * kPerMetre);
