@@ -88,13 +88,13 @@ public:
             constexpr auto kScale = static_cast<float>(1.0 / kBin);
             constexpr auto kOffset = static_cast<float>(kMiddle / kBin);
             constexpr auto kEnd = static_cast<float>(kBins);
-#pragma GCC ivdep
+            VDAMF_INDEPENDENT_LANES
             for (std::size_t i = 0; i < size; ++i)
             {
                 const float x = (c * px[i] + s * py[i]) * kScale + kOffset;
                 const float y = (c * py[i] - s * px[i]) * kScale + kOffset;
-                toX[i] = static_cast<std::uint16_t>((x >= 0.0F) & (x < kEnd) ? x : kEnd);
-                toY[i] = static_cast<std::uint16_t>((y >= 0.0F) & (y < kEnd) ? y : kEnd);
+                toX[i] = static_cast<std::uint16_t>(((x >= 0.0F) & (x < kEnd)) ? x : kEnd);
+                toY[i] = static_cast<std::uint16_t>(((y >= 0.0F) & (y < kEnd)) ? y : kEnd);
             }
         });
     }

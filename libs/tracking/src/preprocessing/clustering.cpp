@@ -77,7 +77,8 @@ template <class Lanes, class Number>
             if (bits == 0) continue;
             // The occupied cells of a window have consecutive numbers.
             std::uint32_t n = cells.bitmap.number(first + __builtin_ctzll(bits), row);
-            for (int left = cells.bitmap.population(bits); left > 0; left -= 8, n += 8)
+            for (auto left = static_cast<int>(cells.bitmap.population(bits)); left > 0;
+                 left -= 8, n += 8)
             {
                 // Most cells in reach are in the set already.
                 if (!hasNewNeighbour(x + n, y + n, sets.parents() + n, left, x[cell], y[cell],

@@ -37,7 +37,7 @@ struct Block
             pz = points.z.data() + begin, dx = hits.shift.x(), dy = hits.shift.y(),
             dz = hits.shift.z(), heights = height.data(), keep = kept.data()
         ]() __attribute__((always_inline)) {
-#pragma GCC ivdep
+            VDAMF_INDEPENDENT_LANES
             for (std::size_t i = 0; i < size; ++i)
             {
                 const float coordinate = ring[i] > 0.0F ? ring[i] : 0.0F;
@@ -48,7 +48,7 @@ struct Block
                 const float over =
                     pz[i] + dz - plane.at(px[i] + dx, py[i] + dy) - inner - part * (outer - inner);
                 heights[i] = over;
-                keep[i] = (ring[i] >= 0.0F) & (over >= minHeight) & (over <= maxHeight) ? 1U : 0U;
+                keep[i] = ((ring[i] >= 0.0F) & (over >= minHeight) & (over <= maxHeight)) ? 1U : 0U;
             }
         });
     }

@@ -64,7 +64,7 @@ std::array<int, kMaxBins> histogramOf(const CellHits& points, float slopeX, floa
     inWideLanes([
         =, px = points.x.data(), py = points.y.data(), pz = points.z.data(), bin = bins.data()
     ]() __attribute__((always_inline)) {
-#pragma GCC ivdep
+        VDAMF_INDEPENDENT_LANES
         for (std::size_t i = 0; i < size; ++i)
         {
             const float z = pz[i] - slopeX * px[i] - slopeY * py[i];

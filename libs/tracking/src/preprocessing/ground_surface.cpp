@@ -159,7 +159,7 @@ void crossRing(Profiles& profiles, const LowHits& low, std::size_t firstCell, co
         by = &low.second.y[firstCell], hitRange = &pass.hitRange[firstCell],
         hitHeight = &pass.hitHeight[firstCell]
     ]() __attribute__((always_inline)) {
-#pragma GCC ivdep
+        VDAMF_INDEPENDENT_LANES
         for (std::size_t s = 0; s < kSectors; ++s)
         {
             const Profile before = p->at(s);
@@ -253,7 +253,7 @@ std::vector<float> passInwards(const PolarGrid& grid, OutwardPass pass)
             variance = &pass.variance[first], hitRange = &pass.hitRange[first],
             hitHeight = &pass.hitHeight[first]
         ]() __attribute__((always_inline)) {
-#pragma GCC ivdep
+            VDAMF_INDEPENDENT_LANES
             for (std::size_t s = 0; s < kSectors; ++s)
             {
                 const Profile before = p->at(s);

@@ -2,6 +2,7 @@
 #include "preprocessing/plane_cells.h"
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
 
 #include "types/wide_lanes.h"
@@ -11,7 +12,6 @@ namespace vdamf
 namespace
 {
 constexpr float kReach = 1000.0F;  // hits farther than this from the sensor are no use, m
-constexpr std::uint32_t kMiddle = static_cast<std::uint32_t>(kReach / PlaneCells::kSize);
 constexpr std::uint32_t kNone = PlaneCells::kNone;
 
 // The hits above ground from the sensor, with the places of their cells on a grid around it.
@@ -34,14 +34,16 @@ PlaneHits placesOf(const LadarFrame& frame, const AboveGround& above)
         dx = shift.x(), dy = shift.y(), hx = hits.x.data(), hy = hits.y.data(),
         place = hits.place.data()
     ]() __attribute__((always_inline)) {
-#pragma GCC ivdep
+        VDAMF_INDEPENDENT_LANES
         for (std::size_t i = 0; i < size; ++i)
         {
             const float x = px[index[i]] + dx;
             const float y = py[index[i]] + dy;
             hx[i] = x;
             hy[i] = y;
-            const bool used = (std::abs(x) < kReach) & (std::abs(y) < kReach);
+            const bool inX = std::abs(x) < kReach;
+            const bool inY = std::abs(y) < kReach;
+            const bool used = inX & inY;
             constexpr float kPerMetre = 1.0F / PlaneCells::kSize;
             const auto column = static_cast<std::int32_t>((used ? x + kReach : 0.0F) * kPerMetre);
             const auto row = static_cast<std::int32_t>((used ? y + kReach : 0.0F) * kPerMetre);
@@ -53,24 +55,29 @@ PlaneHits placesOf(const LadarFrame& frame, const AboveGround& above)
 
 struct Bounds
 {
-    std::uint32_t minColumn = 2 * kMiddle, maxColumn = 0;
-    std::uint32_t minRow = 2 * kMiddle, maxRow = 0;
+    std::int32_t minColumn = 0xFFFF, maxColumn = -1;
+    std::int32_t minRow = 0xFFFF, maxRow = -1;
 };
 
 Bounds boundsOf(const PlaneHits& hits)
 {
-    Bounds b;
-    for (const std::uint32_t place : hits.place)
-    {
-        if (place == kNone) continue;
-        const std::uint32_t column = place & 0xFFFFU;
-        const std::uint32_t row = place >> 16;
-        b.minColumn = column < b.minColumn ? column : b.minColumn;
-        b.maxColumn = column > b.maxColumn ? column : b.maxColumn;
-        b.minRow = row < b.minRow ? row : b.minRow;
-        b.maxRow = row > b.maxRow ? row : b.maxRow;
-    }
-    return b;
+    Bounds bounds;
+    inWideLanes([ size = hits.size(), place = hits.place.data(), all = &bounds ]()
+                    __attribute__((always_inline)) {
+                        Bounds b;
+                        for (std::size_t i = 0; i < size; ++i)
+                        {
+                            const bool used = place[i] != kNone;
+                            const auto column = static_cast<std::int32_t>(place[i] & 0xFFFFU);
+                            const auto row = static_cast<std::int32_t>(place[i] >> 16);
+                            b.minColumn = std::min(b.minColumn, column);
+                            b.minRow = std::min(b.minRow, row);
+                            b.maxColumn = std::max(b.maxColumn, used ? column : -1);
+                            b.maxRow = std::max(b.maxRow, used ? row : -1);
+                        }
+                        *all = b;
+                    });
+    return bounds;
 }
 
 // The hits of a cell.
@@ -113,15 +120,10 @@ PlaneCells sortIntoCells(const LadarFrame& frame, const AboveGround& above)
     PlaneHits hits = placesOf(frame, above);
     const Bounds b = boundsOf(hits);
     if (b.minColumn > b.maxColumn) return {CellBitmap(0, 0), {}, {}, {}, {}, {}, {}};
-    PlaneCells cells{CellBitmap(static_cast<int>(b.maxColumn - b.minColumn) + 1,
-                                static_cast<int>(b.maxRow - b.minRow) + 1),
-                     {},
-                     {},
-                     {},
-                     {},
-                     {},
-                     {}};
-    const std::vector<Sum> sums = sumsOf(hits, cells.bitmap, b.minRow << 16 | b.minColumn);
+    PlaneCells cells{
+        CellBitmap(b.maxColumn - b.minColumn + 1, b.maxRow - b.minRow + 1), {}, {}, {}, {}, {}, {}};
+    const std::vector<Sum> sums =
+        sumsOf(hits, cells.bitmap, static_cast<std::uint32_t>(b.minRow << 16 | b.minColumn));
     cells.ofHit = std::move(hits.place);
     cells.x.resize(sums.size() + PlaneCells::kPadding);
     cells.y.resize(sums.size() + PlaneCells::kPadding);

@@ -38,7 +38,7 @@ PolarHits locateHits(const LadarFrame& frame, const GroundOptions& options)
         ring = hits.ring.data(), cell = hits.cell.data(), elevation = hits.elevation.data(),
         dx = hits.shift.x(), dy = hits.shift.y()
     ]() __attribute__((always_inline)) {
-#pragma GCC ivdep
+        VDAMF_INDEPENDENT_LANES
         for (std::size_t i = 0; i < size; ++i)
         {
             const float x = px[i] + dx;

@@ -31,7 +31,7 @@ struct Block
             =, px = points.x.data(), py = points.y.data(), sx = sensor.x(), sy = sensor.y(),
             squares = squaredRange.data(), sectors = sector.data()
         ]() __attribute__((always_inline)) {
-#pragma GCC ivdep
+            VDAMF_INDEPENDENT_LANES
             for (std::size_t i = 0; i < size; ++i)
             {
                 const float dx = px[index[i]] - sx;
