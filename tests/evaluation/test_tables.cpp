@@ -173,6 +173,7 @@ TEST_F(TablesTest, NumbersFollowTheColumns)
     EXPECT_EQ(of("faces_seen"), 6.0);
     EXPECT_EQ(of("cov_y_heading"), report.covariance(1, 2));
     EXPECT_EQ(of("var_width_m2"), report.widthVariance);
+    EXPECT_EQ(of("forward_probability"), report.forwardProbability);
     report.vehicleProbability = 0.49;
     EXPECT_EQ(toNumbers(0.0, report)[4], 0.0);
     report.vehicleProbability = 0.5;

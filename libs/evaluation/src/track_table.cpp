@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -31,8 +32,11 @@ struct Column
     Form form;
 };
 
+// Tables of other programs may lack it.
+constexpr const char* kForward = "forward_probability";
+
 // Order of toNumbers().
-constexpr std::array<Column, 27> kColumns = {{{"time_s", Form::Decimals6},
+constexpr std::array<Column, 28> kColumns = {{{"time_s", Form::Decimals6},
                                               {"track_id", Form::Whole},
                                               {"status", Form::Status},
                                               {"vehicle_probability", Form::Decimals6},
@@ -58,7 +62,8 @@ constexpr std::array<Column, 27> kColumns = {{{"time_s", Form::Decimals6},
                                               {"var_heading_rad2", Form::Significant8},
                                               {"var_speed", Form::Significant8},
                                               {"var_length_m2", Form::Significant8},
-                                              {"var_width_m2", Form::Significant8}}};
+                                              {"var_width_m2", Form::Significant8},
+                                              {kForward, Form::Decimals6}}};
 
 std::string significant(double value)
 {
@@ -158,7 +163,19 @@ TrackReport reportOf(const CsvReader& reader)
     report.covariance = covarianceOf(reader);
     report.lengthVariance = varianceIn(reader, "var_length_m2");
     report.widthVariance = varianceIn(reader, "var_width_m2");
+    if (const auto forward =
+            reader.hasColumn(kForward) ? reader.optionalNumber(kForward) : std::nullopt)
+        report.forwardProbability = *forward;
+    if (!(report.forwardProbability >= 0.0 && report.forwardProbability <= 1.0))
+        reader.fail(kForward, "expected a number from 0 to 1");
     return report;
+}
+
+std::vector<std::string> requiredColumns()
+{
+    std::vector<std::string> names = trackColumns();
+    names.erase(std::find(names.begin(), names.end(), kForward));
+    return names;
 }
 }  // namespace
 
@@ -214,7 +231,8 @@ std::vector<double> toNumbers(double time, const TrackReport& report)
             p(2, 2),
             p(3, 3),
             report.lengthVariance,
-            report.widthVariance};
+            report.widthVariance,
+            report.forwardProbability};
 }
 
 std::string toCsv(const FrameResult& frame)
@@ -235,7 +253,7 @@ std::string toCsv(const FrameResult& frame)
 
 std::vector<TrackRow> readTracks(const std::filesystem::path& path)
 {
-    CsvReader reader(path, trackColumns());
+    CsvReader reader(path, requiredColumns());
     std::vector<TrackRow> rows;
     RowOrder<std::uint64_t> order;
     while (reader.next())

@@ -33,7 +33,7 @@ public:
         hypotheses = updated(predicted(hypotheses, 0.1, filter_, options_), m, filter_, 11.34);
     }
 
-    MotionHypotheses hypotheses = hypothesesFrom(unknownSpeed());
+    MotionHypotheses hypotheses = hypothesesFrom(unknownSpeed(), MotionOptions());
 
 private:
     MotionOptions options_;
@@ -49,7 +49,9 @@ TEST(MotionHypotheses, AParkedCarHasNoSpeed)
     for (int k = 0; k < 100; ++k)
     {
         follower.see(0.0);
-        if (k > 10) worst = std::max(worst, std::abs(follower.hypotheses.combined().mean(kSpeed)));
+        if (k > 10)
+            worst = std::max(worst,
+                             std::abs(follower.hypotheses.combined(MotionOptions()).mean(kSpeed)));
     }
     EXPECT_LT(worst, 0.15);
     EXPECT_GT(follower.hypotheses.standingProbability, 0.8);
@@ -68,7 +70,7 @@ TEST(MotionHypotheses, ACarThatPullsAwayIsFollowedAndStopsAgain)
             x += 0.1 * speed;
             follower.see(x);
         }
-        return follower.hypotheses.combined().mean(kSpeed);
+        return follower.hypotheses.combined(MotionOptions()).mean(kSpeed);
     };
     drive(0.0, 30);
     EXPECT_NEAR(drive(2.0, 10), 2.0, 0.5);
@@ -81,15 +83,35 @@ TEST(MotionHypotheses, ACarThatPullsAwayIsFollowedAndStopsAgain)
 
 TEST(MotionHypotheses, MixtureHasTheSpreadOfItsMeans)
 {
-    MotionHypotheses h = hypothesesFrom(unknownSpeed());
+    MotionOptions wheels;
+    wheels.independent = false;
+    MotionHypotheses h = hypothesesFrom(unknownSpeed(), wheels);
     h.moving.mean(kSpeed) = 4.0;
     h.moving.covariance(kSpeed, kSpeed) = 1.0;
     h.moving.mean(kHeading) = 3.1;
     h.standing.mean(kHeading) = -3.1;
-    const VehicleState both = h.combined();
+    const VehicleState both = h.combined(MotionOptions());
     EXPECT_NEAR(both.mean(kSpeed), 2.0, 1e-12);
     EXPECT_NEAR(both.covariance(kSpeed, kSpeed), 0.5 + 0.25 * 16.0, 1e-12);
     EXPECT_NEAR(std::abs(both.mean(kHeading)), kPi, 1e-12);
+}
+
+// A pedestrian steps aside, which no wheels do.
+TEST(MotionHypotheses, WhatMovesAcrossItsHeadingMovesFreely)
+{
+    VehicleKalmanFilter filter{MotionOptions()};
+    MotionHypotheses h = hypothesesFrom(unknownSpeed(), MotionOptions());
+    for (int k = 0; k < 30; ++k)
+    {
+        BoxMeasurement m;
+        m.box << 0.0, 0.15 * k, 0.0, 4.5, 1.8;
+        m.covariance.diagonal() << 0.0036, 0.0036, 1e-4, 0.01, 0.01;
+        h = updated(predicted(h, 0.1, filter, MotionOptions()), m, filter, 11.34);
+    }
+    EXPECT_GT(h.freeProbability, 0.9);
+    EXPECT_LT(h.standingProbability, 0.1);
+    EXPECT_NEAR(h.free.mean(kVelocityY), 1.5, 0.15);
+    EXPECT_NEAR(h.combined(MotionOptions()).mean(kY), 0.15 * 29, 0.1);
 }
 
 }  // namespace

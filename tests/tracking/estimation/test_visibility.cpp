@@ -164,8 +164,8 @@ TEST(StartState, AssumesACarBehindACarsEnd)
     const VisibilityOptions options;
     const auto start = [&](double length, double width, const VisibilityOptions& o)
     {
-        return startState(measured({10, 0, 0, length, width}, faces({Face::Back})), {0, 0}, {0.0, 8.0}, o,
-                          motion);
+        return startState(measured({10, 0, 0, length, width}, faces({Face::Back})), {0, 0},
+                          {0.0, 8.0}, o, motion);
     };
     const VehicleState rear = start(1.0, 1.7, options);
     EXPECT_NEAR(rear.mean(kLength), options.carLength, 1e-3);

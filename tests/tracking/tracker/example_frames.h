@@ -15,6 +15,7 @@ struct ExampleBody
 {
     OrientedBox box;  ///< world
     double height = 1.5;
+    Eigen::Vector2d velocity = Eigen::Vector2d::Zero();  ///< during a revolution, world, m/s
 };
 
 /// Range along a ray in the plane to a box, or a large number.
@@ -36,9 +37,11 @@ inline double rangeTo(const OrientedBox& box, const Eigen::Vector2d& from,
     return range;
 }
 
-/// A frame at `time` (s) from a sensor 1.8 m above flat ground at `sensor` (world, m).
+/// A frame at `time` (s) from a sensor 1.8 m above flat ground at `sensor` (world, m). With a
+/// `period` (s) the sensor turns once in it, counter-clockwise from +x, and hits have times.
 inline LadarFrame exampleFrame(double time, const Eigen::Vector2d& sensor,
-                               const std::vector<ExampleBody>& bodies, unsigned seed)
+                               const std::vector<ExampleBody>& bodies, unsigned seed,
+                               double period = 0.0)
 {
     constexpr double kSensorHeight = 1.8;
     constexpr double kMaxRange = 60.0;
@@ -53,13 +56,17 @@ inline LadarFrame exampleFrame(double time, const Eigen::Vector2d& sensor,
     {
         const double bearing = 2.0 * kPi * column / 1200;
         const Eigen::Vector2d ray(std::cos(bearing), std::sin(bearing));
+        const double later = period * column / 1200;
         for (double elevation = -24.0; elevation <= 2.0; elevation += 0.8)
         {
             const double slope = std::tan(elevation * kPi / 180.0);
             double range = slope < 0.0 ? kSensorHeight / -slope : 1e9;
             for (const ExampleBody& body : bodies)
             {
-                const double r = rangeTo(body.box, sensor, ray);
+                OrientedBox box = body.box;
+                box.x += later * body.velocity.x();
+                box.y += later * body.velocity.y();
+                const double r = rangeTo(box, sensor, ray);
                 const double z = kSensorHeight + slope * r;
                 if (r < range && z > 0.0 && z < body.height) range = r;
             }
@@ -69,6 +76,7 @@ inline LadarFrame exampleFrame(double time, const Eigen::Vector2d& sensor,
             frame.points.x.push_back(static_cast<float>(p.x() - frame.origin.x()));
             frame.points.y.push_back(static_cast<float>(p.y() - frame.origin.y()));
             frame.points.z.push_back(static_cast<float>(kSensorHeight + slope * range));
+            if (period > 0.0) frame.points.time.push_back(static_cast<float>(later));
         }
     }
     return frame;

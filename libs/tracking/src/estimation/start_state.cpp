@@ -71,7 +71,7 @@ VehicleState grownToACar(const VehicleState& predicted, const Measurement& m, co
     {
         StateVector byFace = StateVector::Zero();
         byFace.head<2>() = (isBack ? 0.5 : -0.5) * rotation(predicted.mean(kHeading)).col(0);
-        byFace(kAxis) = isBack ? 0.5 : -0.5;
+        if (next.steering == Steering::VariableAxis) byFace(kAxis) = isBack ? 0.5 : -0.5;
         byFace(kLength) = 1.0;
         next.mean += missing * byFace;
         next.covariance += o.carLengthSigma * o.carLengthSigma * byFace * byFace.transpose();

@@ -11,7 +11,8 @@ namespace vdamf
 class VehicleKalmanFilter::Engine : public mrpt::bayes::CKalmanFilterCapable<7, 4, 0, 0>
 {
 public:
-    explicit Engine(const MotionOptions& options) : options_(options)
+    explicit Engine(const MotionOptions& options)
+        : options_(options), variableAxis_(options), independent_(options)
     {
         KF_options.method = mrpt::bayes::kfEKFNaive;
         KF_options.use_analytic_transition_jacobian = true;
@@ -26,6 +27,9 @@ public:
     VehicleState step(const VehicleState& state, double dt, const BoxMeasurement* measurement)
     {
         dt_ = dt;
+        model_ = state.steering == Steering::Independent
+                     ? static_cast<const MotionModel*>(&independent_)
+                     : &variableAxis_;
         measurement_ = measurement;
         m_xkk.asEigen() = state.mean;
         m_pkk.asEigen() = state.covariance;
@@ -42,17 +46,17 @@ protected:
     void OnTransitionModel(const KFArray_ACT&, KFArray_VEH& x, bool& skip) const override
     {
         skip = dt_ == 0.0;
-        if (!skip) x.asEigen() = predictState(x.asEigen(), dt_, options_);
+        if (!skip) x.asEigen() = model_->predicted(x.asEigen(), dt_);
     }
 
     void OnTransitionJacobian(KFMatrix_VxV& f) const override
     {
-        f.asEigen() = transitionJacobian(m_xkk.asEigen(), dt_, options_);
+        f.asEigen() = model_->jacobian(m_xkk.asEigen(), dt_);
     }
 
     void OnTransitionNoise(KFMatrix_VxV& q) const override
     {
-        q.asEigen() = processNoise(m_xkk.asEigen(), dt_, options_);
+        q.asEigen() = model_->noise(m_xkk.asEigen(), dt_);
     }
 
     void OnGetObservationNoise(KFMatrix_OxO& r) const override
@@ -61,7 +65,7 @@ protected:
         if (measurement_ == nullptr) return;
         r.asEigen() = measurement_->covariance.topLeftCorner<4, 4>();
         if (measurement_->lag == 0.0) return;
-        const StateMatrix q = processNoise(m_xkk.asEigen(), measurement_->lag, options_);
+        const StateMatrix q = model_->noise(m_xkk.asEigen(), measurement_->lag);
         r.asEigen() += q(kMeasured, kMeasured);
     }
 
@@ -87,8 +91,7 @@ protected:
     void OnObservationJacobians(size_t, KFMatrix_OxV& hx, KFMatrix_OxF&) const override
     {
         const double lag = measurement_ != nullptr ? measurement_->lag : 0.0;
-        hx.asEigen() =
-            transitionJacobian(m_xkk.asEigen(), lag, options_)(kMeasured, Eigen::indexing::all);
+        hx.asEigen() = model_->jacobian(m_xkk.asEigen(), lag)(kMeasured, Eigen::indexing::all);
     }
 
     void OnSubstractObservationVectors(KFArray_OBS& a, const KFArray_OBS& b) const override
@@ -100,7 +103,7 @@ protected:
     // Called after each prediction and update. MRPT's P = (I - K H) P loses symmetry by rounding.
     void OnNormalizeStateVector() override
     {
-        m_xkk.asEigen() = withinBounds(m_xkk.asEigen(), options_);
+        m_xkk.asEigen() = model_->bounded(m_xkk.asEigen());
         m_pkk.asEigen() = (0.5 * (m_pkk.asEigen() + m_pkk.asEigen().transpose())).eval();
     }
 
@@ -110,10 +113,13 @@ private:
     StateVector stateWhenMeasured() const
     {
         if (measurement_ == nullptr || measurement_->lag == 0.0) return m_xkk.asEigen();
-        return predictState(m_xkk.asEigen(), measurement_->lag, options_);
+        return model_->predicted(m_xkk.asEigen(), measurement_->lag);
     }
 
     MotionOptions options_;
+    VariableAxisModel variableAxis_;
+    IndependentModel independent_;
+    const MotionModel* model_ = &variableAxis_;
     double dt_ = 0.0;
     const BoxMeasurement* measurement_ = nullptr;
 };
@@ -129,16 +135,6 @@ VehicleKalmanFilter& VehicleKalmanFilter::operator=(VehicleKalmanFilter&&) noexc
 const MotionOptions& VehicleKalmanFilter::options() const
 {
     return engine_->options();
-}
-
-VehicleState stateAt(const VehicleState& state, double dt, const MotionOptions& options)
-{
-    if (dt == 0.0) return state;
-    const StateMatrix f = transitionJacobian(state.mean, dt, options);
-    VehicleState other = state;
-    other.mean = predictState(state.mean, dt, options);
-    other.covariance = f * state.covariance * f.transpose() + processNoise(state.mean, dt, options);
-    return other;
 }
 
 VehicleState VehicleKalmanFilter::predict(const VehicleState& state, double dt)

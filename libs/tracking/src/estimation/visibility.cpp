@@ -99,7 +99,10 @@ FaceErrors faceErrors(const Measurement& m, const VehicleState& predicted,
         const SizeChange change = sizeChange(m, predicted, axis, o);
         if (change.metres > 0.0) continue;
         const int end = suspect(m, predicted, axis, -1.0);
-        errors.sigma[axis][end] = std::max(-change.metres, o.shortfallSigma);
+        if (o.correction == VisibilityCorrection::Faces)
+            errors.sigma[axis][end] = std::max(-change.metres, o.shortfallSigma);
+        else if (change.sigmas < -kClear)
+            errors.sigma[axis][end] = FaceErrors::kNotTold;
     }
     return errors;
 }
@@ -119,7 +122,7 @@ VehicleState openToGrowth(const VehicleState& predicted, const Measurement& m,
         byFace.head<2>() = 0.5 * sign * rotation(predicted.mean(kHeading)).col(axis);
         if (axis == 0)
         {
-            byFace(kAxis) = 0.5 * sign;
+            if (next.steering == Steering::VariableAxis) byFace(kAxis) = 0.5 * sign;
             byFace(kLength) = 1.0;
         }
         else

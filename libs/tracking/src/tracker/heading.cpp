@@ -2,6 +2,7 @@
 // Which end is the front: from the way a track moves and from its shape.
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "tracker/track.h"
 
@@ -11,6 +12,7 @@ namespace
 {
 constexpr double kCourseDistance = 1.5;  // m: beyond what measurement noise could feign
 constexpr double kCourseSpeed = 0.75;    // m/s
+constexpr double kLeastShare = 0.5;      // of the mean speed, in each half of a steady course
 // Log odds from which on a heading is changed: of young tracks and of others.
 constexpr double kLikely = 1.0;
 constexpr double kDecisive = 5.0;
@@ -30,11 +32,28 @@ struct Course
     }
 };
 
-Course courseOf(const Track& track)
+Course courseBetween(const PathPoint& from, const PathPoint& to)
 {
-    const Eigen::Vector2d move = track.path.back().position - track.path.front().position;
-    return {std::atan2(move.y(), move.x()), move.norm(),
-            track.path.back().time - track.path.front().time};
+    const Eigen::Vector2d move = to.position - from.position;
+    return {std::atan2(move.y(), move.x()), move.norm(), to.time - from.time};
+}
+
+// The course of a track that goes on steadily: both halves of its path lead the same way. The
+// centre of a box that grows as more of it is seen jumps instead.
+std::optional<Course> steadyCourse(const Track& track)
+{
+    if (track.path.size() < 3) return std::nullopt;
+    const Course all = courseBetween(track.path.front(), track.path.back());
+    if (all.distance < kCourseDistance || all.distance < kCourseSpeed * all.duration)
+        return std::nullopt;
+    const PathPoint& middle = track.path[track.path.size() / 2];
+    for (const Course& half :
+         {courseBetween(track.path.front(), middle), courseBetween(middle, track.path.back())})
+    {
+        const double along = half.speedAlong(all.direction) * all.duration / all.distance;
+        if (along < kLeastShare) return std::nullopt;
+    }
+    return all;
 }
 
 // What the sighting just taken in and the path that it ends tell of the front.
@@ -47,14 +66,9 @@ HeadingCues cuesOf(const Track& track)
     if (locatesWidth(m)) cues.width = m.box.width;
     if (track.path.size() < 2) return cues;
     cues.dt = track.path.back().time - track.path[track.path.size() - 2].time;
-    const Course course = courseOf(track);
-    const bool moves = track.path.size() >= 3 && course.distance > kCourseDistance &&
-                       course.distance > kCourseSpeed * course.duration &&
-                       std::abs(track.state.mean(kSpeed)) >
-                           3.0 * std::sqrt(track.state.covariance(kSpeed, kSpeed));
-    if (moves)
-        cues.course = {wrapAngle(course.direction - track.state.mean(kHeading)),
-                       course.distance / course.duration};
+    if (const auto course = steadyCourse(track))
+        cues.course = {wrapAngle(course->direction - track.state.mean(kHeading)),
+                       course->distance / course->duration};
     return cues;
 }
 
@@ -76,21 +90,21 @@ Measurement narrowed(const Measurement& measurement, const Eigen::Vector2d& sens
 
 // The track started anew with its measurement turned; it keeps its identity and history.
 Track quarterTurned(const Track& track, const Sighting& sighting, int quarters,
-                    const Course& course, const TrackerOptions& options)
+                    const TrackerOptions& options)
 {
     Sighting turned = sighting;
     turned.measurement = narrowed(turnedBy(*track.measurement, quarters), sighting.sensor,
                                   widestEnd(track.height), options.visibility);
-    constexpr double kCourseTime = 0.3;   // s, from which on a path tells a speed
-    constexpr double kCourseSigma = 1.0;  // m/s
+    constexpr double kPathSigma = 0.4;  // m, of the ends of a path
     StartSpeed speed{0.0, options.lifecycle.startSpeedSigma};
-    if (course.duration > kCourseTime)
-        speed = {course.speedAlong(turned.measurement.box.heading), kCourseSigma};
+    if (const auto course = steadyCourse(track))
+        speed = {course->speedAlong(turned.measurement.box.heading),
+                 std::max(1.0, kPathSigma / course->duration)};
     const Track fresh = startedTrack(track.id, turned, speed, options);
     Track next = track;
     next.state = fresh.state;
     next.measurement = fresh.measurement;
-    next.hypotheses = hypothesesFrom(next.state);
+    next.hypotheses = hypothesesFrom(next.state, options.motion);
     return next;
 }
 
@@ -117,7 +131,8 @@ Track reversed(const Track& track, const MotionOptions& motion)
     Track next = track;
     next.hypotheses.moving = reversed(track.hypotheses.moving, motion);
     next.hypotheses.standing = reversed(track.hypotheses.standing, motion);
-    next.state = next.hypotheses.combined();
+    next.hypotheses.free.mean(kHeading) = wrapAngle(track.hypotheses.free.mean(kHeading) + kPi);
+    next.state = next.hypotheses.combined(motion);
     next.measurement = alignedWith(*track.measurement, next.state.mean(kHeading));
     return next;
 }
@@ -133,7 +148,7 @@ Track withCheckedHeading(const Track& track, const Sighting& sighting,
     if (quarters == 0) return next;
     next.front = next.front.turned(quarters);
     if (quarters == 2) return reversed(next, options.motion);
-    return quarterTurned(next, sighting, quarters, courseOf(track), options);
+    return quarterTurned(next, sighting, quarters, options);
 }
 
 }  // namespace vdamf

@@ -19,7 +19,8 @@ void appendToPath(Track& track, double time, const Eigen::Vector2d& position)
 Measurement broughtTo(const VehicleState& state, const Measurement& measurement, double lag,
                       const MotionOptions& options)
 {
-    const StateVector move = predictState(state.mean, lag, options) - state.mean;
+    const StateVector move =
+        modelOf(state.steering, options)->predicted(state.mean, lag) - state.mean;
     Measurement m = measurement;
     m.box.x -= move(kX);
     m.box.y -= move(kY);
@@ -37,7 +38,7 @@ Track startedTrack(std::uint64_t id, const Sighting& sighting, const StartSpeed&
     const VehicleState seen =
         startState(m, sighting.sensor, speed, options.visibility, options.motion);
     track.state = stateAt(seen, -sighting.lag, options.motion);
-    track.hypotheses = hypothesesFrom(track.state);
+    track.hypotheses = hypothesesFrom(track.state, options.motion);
     track.groundZ = sighting.groundZ;
     track.height = sighting.height;
     track.sightings = 1;
@@ -58,18 +59,19 @@ Track sightedTrack(const Track& before, const Sighting& sighting, VehicleKalmanF
     const Measurement m = alignedWith(
         sighting.measurement, stateAt(before.state, sighting.lag, options.motion).mean(kHeading));
     MotionHypotheses hypotheses = before.hypotheses;
-    for (VehicleState* state : {&hypotheses.moving, &hypotheses.standing})
+    for (VehicleState* state : {&hypotheses.moving, &hypotheses.standing, &hypotheses.free})
         *state = grownToACar(*state, m, before.told, visibility);
-    const VehicleState then = stateAt(hypotheses.combined(), sighting.lag, options.motion);
+    const VehicleState then =
+        stateAt(hypotheses.combined(options.motion), sighting.lag, options.motion);
     BoxMeasurement box =
         boxThrough(m, faceErrors(m, then, visibility), then.size(), sighting.sensor, visibility);
     box.lag = sighting.lag;
     track.nis = innovationOf(then, box).nis();
-    for (VehicleState* state : {&hypotheses.moving, &hypotheses.standing})
+    for (VehicleState* state : {&hypotheses.moving, &hypotheses.standing, &hypotheses.free})
         *state = openToGrowth(*state, broughtTo(*state, m, box.lag, options.motion), visibility);
     track.hypotheses = updated(hypotheses, box, filter, options.lifecycle.nisGate);
     track.told = before.told.with(m);
-    track.state = track.hypotheses.combined();
+    track.state = track.hypotheses.combined(options.motion);
     track.measurement = m;
     track.lastMatch = m.match;
     track.groundZ = sighting.groundZ;
@@ -92,13 +94,13 @@ Track predictedTrack(const Track& before, double dt, VehicleKalmanFilter& filter
     // Unseen, a vehicle is likelier to go straight on than to keep turning in a circle.
     constexpr double kTurnTime = 0.7;  // s
     if (before.misses > 0) track.hypotheses.moving.mean(kCurvature) *= std::exp(-dt / kTurnTime);
-    track.state = track.hypotheses.combined();
+    track.state = track.hypotheses.combined(options);
     track.measurement.reset();
     track.nis.reset();
     return track;
 }
 
-TrackReport reportOf(const Track& track)
+TrackReport reportOf(const Track& track, const VisibilityOptions& options)
 {
     TrackReport report;
     report.id = track.id;
@@ -113,8 +115,12 @@ TrackReport reportOf(const Track& track)
     const Eigen::Vector2d left = rotation(track.state.mean(kHeading)).col(1);
     report.covariance.topLeftCorner<2, 2>() +=
         0.25 * track.state.widthVariance * left * left.transpose();
-    report.lengthVariance = track.state.covariance(kLength, kLength);
-    report.widthVariance = track.state.widthVariance;
+    const double position = std::pow(options.lastingPosition, 2);
+    const double size = std::pow(options.lastingSize, 2);
+    report.covariance.diagonal() +=
+        Eigen::Vector4d(position, position, std::pow(options.lastingHeading, 2), 0.0);
+    report.lengthVariance = track.state.covariance(kLength, kLength) + size;
+    report.widthVariance = track.state.widthVariance + size;
     if (track.measurement)
     {
         report.points = track.measurement->hits;

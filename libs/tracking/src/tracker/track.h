@@ -68,6 +68,6 @@ Track withCheckedHeading(const Track& track, const Sighting& sighting,
 Track predictedTrack(const Track& track, double dt, VehicleKalmanFilter& filter,
                      const MotionOptions& options);
 
-TrackReport reportOf(const Track& track);
+TrackReport reportOf(const Track& track, const VisibilityOptions& options);
 
 }  // namespace vdamf

@@ -220,7 +220,8 @@ private:
         result.points = frame.points.size();
         result.pointsAboveGround = segmented.pointsAboveGround;
         result.clusters = segmented.clusters.size();
-        for (const Track& track : tracks_) result.tracks.push_back(reportOf(track));
+        for (const Track& track : tracks_)
+            result.tracks.push_back(reportOf(track, options_.visibility));
         return result;
     }
 

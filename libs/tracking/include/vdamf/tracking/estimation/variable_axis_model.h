@@ -17,7 +17,7 @@ struct MotionOptions
 {
     double accelerationSigma = 1.5;           ///< m/s^2, held for 0.1 s
     double maxCurvatureRate = 0.25;           ///< 1/(m s)
-    double lateralJerk = 3.0;                 ///< m/s^3
+    double lateralJerk = 8.0;                 ///< m/s^3
     double slipSigma = 0.02;                  ///< m/sqrt(s)
     double headingSigma = 0.2 * kPi / 180.0;  ///< rad/sqrt(s)
     double axisSigma = 0.03;                  ///< m/sqrt(s)
@@ -27,6 +27,9 @@ struct MotionOptions
     double sizeSigma = 0.02;                  ///< m/sqrt(s)
     double maxCurvature = 0.25;               ///< 1/m
     double maxLateralAcceleration = 6.0;      ///< m/s^2
+    bool independent = true;
+    double independentAcceleration = 2.0;                    ///< m/s^2, held for 0.1 s
+    double independentYawAcceleration = 35.0 * kPi / 180.0;  ///< rad/s^2, held for 0.1 s
 
     template <class Self, class Visitor>
     static void visit(Self& self, Visitor&& field)
@@ -53,6 +56,13 @@ struct MotionOptions
         field(self.maxCurvature, "max_curvature", 0.01, 1.0, "largest curvature of a path, 1/m");
         field(self.maxLateralAcceleration, "max_lateral_acceleration_mps2", 0.5, 30.0,
               "limit of the curvature at speed");
+        field(self.independent, "independent",
+              "beside the variable axis a model that moves and turns freely, weighed by how well "
+              "it foretells");
+        field(self.independentAcceleration, "independent_acceleration_sigma_mps2", 0.01, 20.0,
+              "its acceleration, in any direction");
+        field(self.independentYawAcceleration, "independent_yaw_acceleration_sigma_deg", 0.1,
+              1000.0, "its yaw acceleration, deg / s^2");
     }
 };
 

@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <memory>
 
-#include "vdamf/tracking/estimation/variable_axis_model.h"
+#include "vdamf/tracking/estimation/motion_model.h"
 #include "vdamf/tracking/types/track.h"
 #include "vdamf/tracking/types/vehicle_state.h"
 
@@ -25,16 +25,14 @@ struct BoxMeasurement
     double lag = 0.0;
 };
 
-/// What is known of the state `dt` seconds later (or, where negative, earlier).
-VehicleState stateAt(const VehicleState& state, double dt, const MotionOptions& options);
-
 /// The measurement after another source's word on one of its rows.
 BoxMeasurement withKnown(const BoxMeasurement& measurement, Eigen::Index row, double value,
                          double variance);
 
 /// mrpt::bayes::CKalmanFilterCapable (kfEKFNaive, the only one of its methods that is right) with
-/// the variable-axis model. One object serves all tracks: MRPT's filter is 600 kB large and cannot
-/// be copied, so it is loaded with a track's Gaussian, stepped and read. Not thread safe.
+/// the motion model that a state is meant for. One object serves all tracks: MRPT's filter is 600
+/// kB large and cannot be copied, so it is loaded with a track's Gaussian, stepped and read. Not
+/// thread safe.
 class VehicleKalmanFilter
 {
 public:

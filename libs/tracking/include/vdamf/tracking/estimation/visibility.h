@@ -9,14 +9,33 @@
 
 namespace vdamf
 {
+enum class VisibilityCorrection
+{
+    Corner,  ///< 4.5: where a size falls clearly short, the corner nearest to the sensor holds
+    Faces    ///< each face holds by an error of its own, those that fall short by less
+};
+
+template <>
+struct EnumNames<VisibilityCorrection>
+{
+    static std::vector<std::pair<VisibilityCorrection, const char*>> names()
+    {
+        return {{VisibilityCorrection::Corner, "corner"}, {VisibilityCorrection::Faces, "faces"}};
+    }
+};
+
 struct VisibilityOptions
 {
-    double positionFloor = 0.05;                     ///< m
-    double headingFloor = 0.5 * kPi / 180.0;         ///< rad
-    double endOnlyHeadingFloor = 3.0 * kPi / 180.0;  ///< rad
+    VisibilityCorrection correction = VisibilityCorrection::Faces;
+    double positionFloor = 0.03;                     ///< m
+    double headingFloor = 0.2 * kPi / 180.0;         ///< rad
+    double endOnlyHeadingFloor = 1.5 * kPi / 180.0;  ///< rad
     double unseenSigma = 0.5;                        ///< m
-    double sizeSigma = 0.2;                          ///< m
+    double sizeSigma = 0.15;                         ///< m
     double shortfallSigma = 0.4;                     ///< m
+    double lastingPosition = 0.04;                   ///< m
+    double lastingHeading = 0.3 * kPi / 180.0;       ///< rad
+    double lastingSize = 0.1;                        ///< m
     bool assumeVehicleSize = true;
     double carLength = 4.3;       ///< m
     double carLengthSigma = 0.5;  ///< m
@@ -26,6 +45,9 @@ struct VisibilityOptions
     template <class Self, class Visitor>
     static void visit(Self& self, Visitor&& field)
     {
+        field(self.correction, "correction",
+              "of sizes that fall short of those known: the nearest corner alone holds (paper, "
+              "4.5), or each face by its own error");
         field(self.positionFloor, "position_floor_m", 0.0, 1.0,
               "model error of the place of a face seen, beside Eq. 14");
         field(self.headingFloor, "heading_floor_deg", 0.0, 30.0,
@@ -38,6 +60,11 @@ struct VisibilityOptions
               "model error of a far end that only a row of hits tells");
         field(self.shortfallSigma, "shortfall_sigma_m", 0.01, 5.0,
               "the same where that end falls short of the one known");
+        field(self.lastingPosition, "lasting_position_m", 0.0, 1.0,
+              "error of the position that lasts as long as the view: frames do not average it out, "
+              "so it is added to the covariance that is told, and not to the filter's");
+        field(self.lastingHeading, "lasting_heading_deg", 0.0, 30.0, "the same of the heading");
+        field(self.lastingSize, "lasting_size_m", 0.0, 2.0, "the same of length and width");
         field(self.assumeVehicleSize, "assume_vehicle_size",
               "sizes start from a car's where a seen end or side fits a car");
         field(self.carLength, "car_length_m", 2.0, 8.0, "length of an assumed car");

@@ -11,6 +11,13 @@ namespace vdamf
 using StateVector = Eigen::Matrix<double, 7, 1>;
 using StateMatrix = Eigen::Matrix<double, 7, 7>;
 
+/// What the rows 3 to 5 of a state stand for.
+enum class Steering
+{
+    VariableAxis,  ///< speed, curvature, axis offset: the vehicle follows its steered wheels
+    Independent    ///< velocity by x and by y, yaw rate: moves and turns as it likes
+};
+
 /// Rows of the state vector.
 enum StateRow
 {
@@ -20,7 +27,11 @@ enum StateRow
     kSpeed = 3,      ///< of the axis point along the heading, negative in reverse, m/s
     kCurvature = 4,  ///< of the axis point's path, positive to the left, 1/m
     kAxis = 5,       ///< offset d: the axis point lies d behind the centre, m
-    kLength = 6      ///< m
+    kLength = 6,     ///< m
+    // Of Steering::Independent instead:
+    kVelocityX = 3,  ///< of the centre, world, m/s
+    kVelocityY = 4,  ///< of the centre, world, m/s
+    kYawRate = 5     ///< rad/s
 };
 
 /// A Gaussian over the state. The length is part of it because centre and length err together:
@@ -34,6 +45,9 @@ struct VehicleState
     double width = 0.0;          ///< m
     double widthVariance = 0.0;  ///< m^2
 
+    Steering steering = Steering::VariableAxis;
+
+    /// Of Steering::VariableAxis, rad/s.
     double yawRate() const { return mean(kSpeed) * mean(kCurvature); }
 
     Eigen::Vector2d size() const { return {mean(kLength), width}; }

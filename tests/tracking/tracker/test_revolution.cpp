@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Vehicles that move while a scanner turns.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+#include "tracking/tracker/example_frames.h"
+#include "vdamf/tracking/estimation/vehicle_kalman_filter.h"
+#include "vdamf/tracking/tracker/tracker.h"
+
+namespace vdamf
+{
+namespace
+{
+constexpr double kPeriod = 0.1;
+
+const TrackReport* onlyConfirmedNear(const FrameResult& frame, const Eigen::Vector2d& position)
+{
+    const TrackReport* found = nullptr;
+    for (const TrackReport& track : frame.tracks)
+    {
+        if (track.status != TrackStatus::Confirmed) continue;
+        if ((track.box.centre() - position).norm() > 4.0) continue;
+        EXPECT_EQ(found, nullptr) << "two tracks on one car at " << frame.time;
+        found = &track;
+    }
+    return found;
+}
+
+// The sensor turns from ahead to ahead: a car there is seen at the begin and, 1.5 m farther on, at
+// the end of each revolution.
+TEST(Revolution, ACarAtItsSeamIsOneCarOfItsOwnSize)
+{
+    Tracker tracker{TrackerOptions()};
+    std::set<std::uint64_t> ids;
+    for (int k = 0; k < 30; ++k)
+    {
+        const double t = kPeriod * k;
+        const OrientedBox truth{18.0 + 15.0 * t, 0.2, 0.0, 4.4, 1.8};
+        const FrameResult r = tracker.process(exampleFrame(
+            t, {15.0 * t, 0.0}, {{truth, 1.5, {15.0, 0.0}}}, 60U + unsigned(k), kPeriod));
+        if (k < 10) continue;
+        const TrackReport* track = onlyConfirmedNear(r, truth.centre());
+        ASSERT_NE(track, nullptr) << k;
+        ids.insert(track->id);
+        EXPECT_NEAR(track->speed, 15.0, 0.4) << k;
+        EXPECT_NEAR(track->box.width, 1.8, 0.2) << k;
+        EXPECT_NEAR(track->box.length, 4.4, 0.6) << k;
+        const double rear = track->box.x - 0.5 * track->box.length;
+        EXPECT_NEAR(rear, truth.x - 2.2, 0.12) << k;
+        EXPECT_LT(std::abs(wrapAngle(track->box.heading)), 3.0 * kPi / 180.0) << k;
+    }
+    EXPECT_EQ(ids.size(), 1U);
+}
+
+// Abreast of the sensor a quarter of the revolution has passed before the car is seen.
+TEST(Revolution, BoxesStandWhereCarsAreAtTheFramesTime)
+{
+    Tracker tracker{TrackerOptions()};
+    for (int k = 0; k < 30; ++k)
+    {
+        const double t = kPeriod * k;
+        const OrientedBox truth{-20.0 + 14.0 * t, 7.0, 0.0, 4.4, 1.8};
+        const FrameResult r = tracker.process(
+            exampleFrame(t, {0.0, 0.0}, {{truth, 1.5, {14.0, 0.0}}}, 90U + unsigned(k), kPeriod));
+        if (k < 10) continue;
+        const TrackReport* track = onlyConfirmedNear(r, truth.centre());
+        ASSERT_NE(track, nullptr) << k;
+        EXPECT_NEAR(track->speed, 14.0, 0.5) << k;
+        EXPECT_NEAR(track->box.x, truth.x, 0.2) << k;
+        EXPECT_NEAR(track->box.length, 4.4, 0.35) << k;
+    }
+}
+
+// The measurement is that of a later time; what it tells is brought back.
+TEST(Revolution, AMeasurementOfLaterTellsOfNow)
+{
+    MotionOptions still;
+    still.accelerationSigma = still.maxCurvatureRate = still.slipSigma = still.headingSigma =
+        still.axisSigma = still.sizeSigma = 0.0;
+    VehicleKalmanFilter filter(still);
+    VehicleState now;
+    now.mean << 5.0, 2.0, 0.4, 9.0, 0.02, 1.2, 4.4;
+    now.covariance.diagonal() << 0.04, 0.04, 1e-3, 1.0, 1e-4, 0.1, 0.05;
+    now.width = 1.8;
+    now.widthVariance = 0.01;
+    BoxMeasurement m;
+    const VehicleState then = stateAt(now, 0.08, still);
+    m.box << then.mean.head<3>() + Eigen::Vector3d(0.1, -0.05, 0.01), 4.5, 1.8;
+    m.covariance.diagonal() << 0.01, 0.01, 1e-4, 0.02, 0.02;
+    const VehicleState first = filter.update(then, m);
+    m.lag = 0.08;
+    const VehicleState later = stateAt(filter.update(now, m), 0.08, still);
+    EXPECT_LT((first.mean - later.mean).norm(), 2e-3);
+    EXPECT_LT((first.covariance - later.covariance).norm(), 0.01 * first.covariance.norm());
+}
+
+}  // namespace
+}  // namespace vdamf
