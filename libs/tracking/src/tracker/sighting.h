@@ -20,7 +20,9 @@ struct SegmentedFrame
     double time = 0.0;                                 ///< s
     Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< world, m
     Eigen::Vector3d sensor = Eigen::Vector3d::Zero();  ///< world, m
+    std::size_t points = 0;
     std::size_t pointsAboveGround = 0;
+    bool planar = false;
     RangeProfile profile;
     std::vector<Cluster> clusters;
     std::vector<Hits> hits;  ///< of each cluster

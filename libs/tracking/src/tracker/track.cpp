@@ -76,6 +76,7 @@ Track predictedTrack(const Track& before, double dt, VehicleKalmanFilter& filter
     track.state = track.hypotheses.combined();
     track.measurement.reset();
     track.nis.reset();
+    track.features.clear();
     return track;
 }
 
@@ -102,6 +103,7 @@ TrackReport reportOf(const Track& track)
         report.facesSeen = track.measurement->facesSeen;
         report.measuredBox = track.measurement->box;
         report.nis = track.nis;
+        report.features = track.features;
     }
     return report;
 }

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "tracker/sighting.h"
+#include "vdamf/tracking/discrimination/classify.h"
 #include "vdamf/tracking/estimation/motion_hypotheses.h"
 #include "vdamf/tracking/tracker/tracker.h"
 
@@ -34,9 +35,11 @@ struct Track
     double lastMatch = 0.0;      ///< response per hit of the last sighting, 1/m
     bool forwardSeen = false;    ///< it drove forward: the front is known
     std::deque<PathPoint> path;  ///< sightings of the last second
+    VehicleEvidence evidence;    ///< of the discriminator
     // Of the current frame:
     std::optional<Measurement> measurement;
     std::optional<double> nis;
+    std::vector<float> features;  ///< where options ask for them
 
     OrientedBox box() const { return state.box(); }
     double lengthSigma() const { return std::sqrt(state.covariance(kLength, kLength)); }

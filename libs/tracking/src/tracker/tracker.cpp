@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "tracker/discriminate.h"
 #include "tracker/track.h"
 #include "vdamf/tracking/preprocessing/range_profile.h"
 
@@ -23,7 +24,10 @@ OrientedBox relativeTo(OrientedBox box, const Eigen::Vector3d& origin)
 class Tracker::Impl
 {
 public:
-    explicit Impl(const TrackerOptions& options) : options_(options), filter_(options.motion) {}
+    explicit Impl(const TrackerOptions& options)
+        : options_(options), filter_(options.motion), discriminator_(options.discriminator)
+    {
+    }
 
     FrameResult process(const LadarFrame& frame)
     {
@@ -33,14 +37,16 @@ public:
         enter(Stage::Prediction);
         predictTracks(frame.time);
         enter(Stage::Association);
-        const auto assignment =
+        auto assignment =
             assignClusters(targets(frame.origin), segmented.hits, options_.association);
         enter(Stage::Measurement);
         const auto sightings = measureTracks(segmented, assignment);
         enter(Stage::Update);
         updateTracks(frame.time, sightings);
         enter(Stage::NewTracks);
-        startTracks(segmented, assignment);
+        assignment = startTracks(segmented, std::move(assignment));
+        enter(Stage::Discrimination);
+        judgeTracks(segmented, assignment);
         removeDuplicates();
         FrameResult result = reportFrame(frame, segmented);
         removeEnded();
@@ -62,6 +68,8 @@ private:
         s.time = frame.time;
         s.origin = frame.origin;
         s.sensor = frame.sensor;
+        s.points = frame.points.size();
+        s.planar = frame.planar;
         enter(Stage::Ground);
         const AboveGround above = removeGround(frame, options_.ground);
         s.pointsAboveGround = above.index.size();
@@ -151,8 +159,9 @@ private:
         if (lost) track.status = TrackStatus::Ended;
     }
 
-    void startTracks(const SegmentedFrame& frame,
-                     const std::vector<std::vector<std::size_t>>& assignment)
+    // Returns the assignment with the new tracks.
+    std::vector<std::vector<std::size_t>> startTracks(
+        const SegmentedFrame& frame, std::vector<std::vector<std::size_t>> assignment)
     {
         std::vector<bool> claimed(frame.clusters.size(), false);
         for (const auto& taken : assignment)
@@ -168,7 +177,9 @@ private:
             const Sighting s =
                 sightingOf(frame, {i}, hits, start, std::nullopt, options_.measurement);
             tracks_.push_back(startedTrack(nextId_++, s, options_));
+            assignment.push_back({i});
         }
+        return assignment;
     }
 
     bool mayStart(const Cluster& cluster, const Hits& hits) const
@@ -176,6 +187,13 @@ private:
         const LifecycleOptions& o = options_.lifecycle;
         if (hits.totalWeight < o.minHits) return false;
         return heightOf(cluster) >= o.minHeight;
+    }
+
+    void judgeTracks(const SegmentedFrame& frame,
+                     const std::vector<std::vector<std::size_t>>& assignment)
+    {
+        for (std::size_t j = 0; j < tracks_.size(); ++j)
+            tracks_[j] = discriminator_.judged(std::move(tracks_[j]), frame, assignment[j]);
     }
 
     // Two tracks on one object: the older one stays.
@@ -209,7 +227,8 @@ private:
         result.points = frame.points.size();
         result.pointsAboveGround = segmented.pointsAboveGround;
         result.clusters = segmented.clusters.size();
-        for (const Track& track : tracks_) result.tracks.push_back(reportOf(track));
+        for (const Track& track : tracks_)
+            result.tracks.push_back(discriminator_.withProbability(reportOf(track), track));
         return result;
     }
 
@@ -222,6 +241,7 @@ private:
 
     TrackerOptions options_;
     VehicleKalmanFilter filter_;
+    Discriminator discriminator_;
     std::vector<Track> tracks_;  // by rising id
     std::uint64_t nextId_ = 1;
     std::optional<double> time_;

@@ -17,6 +17,7 @@ std::vector<std::string> TrackerOptions::problems() const
     add("visibility", problemsOf(visibility));
     add("motion", problemsOf(motion));
     add("lifecycle", problemsOf(lifecycle));
+    add("discriminator", problemsOf(discriminator));
     return all;
 }
 
@@ -38,6 +39,8 @@ const char* toString(Stage stage)
             return "update";
         case Stage::NewTracks:
             return "new tracks";
+        case Stage::Discrimination:
+            return "discrimination";
     }
     return "";
 }

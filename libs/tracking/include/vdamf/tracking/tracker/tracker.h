@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "vdamf/tracking/association/auction.h"
+#include "vdamf/tracking/discrimination/options.h"
 #include "vdamf/tracking/estimation/variable_axis_model.h"
 #include "vdamf/tracking/estimation/visibility.h"
 #include "vdamf/tracking/matched_filter/measure.h"
@@ -59,6 +60,7 @@ struct TrackerOptions
     VisibilityOptions visibility;
     MotionOptions motion;
     LifecycleOptions lifecycle;
+    DiscriminatorOptions discriminator;
 
     /// All problems, each with its section: "[clustering] gap_m = ...". Empty: valid.
     std::vector<std::string> problems() const;
@@ -73,7 +75,8 @@ enum class Stage
     Association,
     Measurement,
     Update,
-    NewTracks
+    NewTracks,
+    Discrimination
 };
 const char* toString(Stage stage);
 
