@@ -2,6 +2,7 @@
 #include "vdamf/evaluation/roc.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <random>
@@ -97,12 +98,45 @@ std::vector<std::size_t> trackIndices(const std::vector<ClassifierSample>& sampl
     return result;
 }
 
-std::vector<RocScores> bootstrap(const std::vector<ClassifierSample>& samples,
+/// Rates at which the band is told.
+std::vector<double> bandRates()
+{
+    constexpr int kSteps = 60;
+    constexpr double kDecades = 4.0;
+    std::vector<double> rates;
+    for (int i = 0; i <= kSteps; ++i)
+        rates.push_back(std::pow(10.0, kDecades * (i - kSteps) / kSteps));
+    return rates;
+}
+
+/// True positive rates at rising false positive rates.
+std::vector<double> foundAt(const Curve& curve, const std::vector<double>& rates)
+{
+    std::vector<double> found;
+    std::size_t next = 0;
+    double best = 0.0;
+    for (const double rate : rates)
+    {
+        for (; next < curve.size() && curve[next].falsePositiveRate <= rate; ++next)
+            best = curve[next].truePositiveRate;
+        found.push_back(best);
+    }
+    return found;
+}
+
+/// One draw of tracks.
+struct Replicate
+{
+    RocScores scores;
+    std::vector<double> found;  ///< at bandRates()
+};
+
+std::vector<Replicate> bootstrap(const std::vector<ClassifierSample>& samples,
                                  const std::vector<std::size_t>& trackOf, std::size_t tracks,
                                  const Roc& roc, const RocOptions& options)
 {
     std::mt19937_64 random(options.seed);
-    std::vector<RocScores> replicates;
+    std::vector<Replicate> replicates;
     for (int k = 0; k < options.replicates; ++k)
     {
         std::vector<double> drawn(tracks, 0.0);
@@ -111,38 +145,54 @@ std::vector<RocScores> bootstrap(const std::vector<ClassifierSample>& samples,
         weights.reserve(samples.size());
         for (const std::size_t track : trackOf) weights.push_back(drawn[track]);
         const Curve curve = curveOf(samples, weights);
-        if (!curve.empty()) replicates.push_back(scoresOf(curve, roc.clutterSamples));
+        if (curve.empty()) continue;
+        replicates.push_back({scoresOf(curve, roc.clutterSamples), foundAt(curve, bandRates())});
     }
     return replicates;
 }
 
-double quantileOfMember(const std::vector<RocScores>& replicates, double RocScores::*member,
+double quantileOfMember(const std::vector<Replicate>& replicates, double RocScores::*member,
                         double fraction)
 {
     std::vector<double> values;
-    for (const RocScores& scores : replicates) values.push_back(scores.*member);
+    for (const Replicate& r : replicates) values.push_back(r.scores.*member);
     std::sort(values.begin(), values.end());
     return quantileOf(values, fraction);
 }
 
-std::optional<double> quantileOfMember(const std::vector<RocScores>& replicates,
+std::optional<double> quantileOfMember(const std::vector<Replicate>& replicates,
                                        std::optional<double> RocScores::*member, double fraction)
 {
     std::vector<double> values;
-    for (const RocScores& scores : replicates)
+    for (const Replicate& r : replicates)
     {
-        if (scores.*member) values.push_back(*(scores.*member));
+        if (r.scores.*member) values.push_back(*(r.scores.*member));
     }
     if (values.empty()) return std::nullopt;
     std::sort(values.begin(), values.end());
     return quantileOf(values, fraction);
 }
 
-RocScores quantileOfScores(const std::vector<RocScores>& replicates, double fraction)
+RocScores quantileOfScores(const std::vector<Replicate>& replicates, double fraction)
 {
     const auto of = [&](auto member) { return quantileOfMember(replicates, member, fraction); };
     return {of(&RocScores::areaUnderCurve), of(&RocScores::equalErrorRate),
             of(&RocScores::missRateAtOnePerMille), of(&RocScores::missRateAtOnePercent)};
+}
+
+std::vector<RocBandPoint> bandOf(const std::vector<Replicate>& replicates)
+{
+    std::vector<RocBandPoint> band;
+    if (replicates.empty()) return band;
+    const std::vector<double> rates = bandRates();
+    for (std::size_t i = 0; i < rates.size(); ++i)
+    {
+        std::vector<double> found;
+        for (const Replicate& r : replicates) found.push_back(r.found[i]);
+        std::sort(found.begin(), found.end());
+        band.push_back({rates[i], quantileOf(found, 0.025), quantileOf(found, 0.975)});
+    }
+    return band;
 }
 }  // namespace
 
@@ -161,9 +211,10 @@ std::optional<Roc> rocOf(const std::vector<ClassifierSample>& samples, const Roc
     roc.scores = scoresOf(roc.curve, roc.clutterSamples);
     const std::vector<std::size_t> trackOf = trackIndices(sorted);
     roc.tracks = 1 + *std::max_element(trackOf.begin(), trackOf.end());
-    const std::vector<RocScores> replicates = bootstrap(sorted, trackOf, roc.tracks, roc, options);
+    const std::vector<Replicate> replicates = bootstrap(sorted, trackOf, roc.tracks, roc, options);
     roc.low = quantileOfScores(replicates, 0.025);
     roc.high = quantileOfScores(replicates, 0.975);
+    roc.band = bandOf(replicates);
     return roc;
 }
 

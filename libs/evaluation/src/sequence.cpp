@@ -39,10 +39,9 @@ bool doesCount(const TruthRow& row, const std::optional<PlanePose>& sensor,
 
 bool isPublished(const TrackReport& report, const ScoringOptions& options)
 {
-    constexpr double kVehicle = 0.5;
     if (report.status == TrackStatus::Ended) return false;
     if (report.status == TrackStatus::Tentative && !options.withTentative) return false;
-    return !options.onlyVehicles || report.vehicleProbability.value_or(1.0) >= kVehicle;
+    return !options.onlyVehicles || isCalledVehicle(report).value_or(true);
 }
 
 bool overlapsWhatCounts(const ScoredFrame& frame, const OrientedBox& box, double minOverlap)

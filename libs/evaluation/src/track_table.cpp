@@ -150,6 +150,11 @@ TrackReport reportOf(const CsvReader& reader)
     {
         reader.fail("vehicle_probability", "expected a number from 0 to 1");
     }
+    if (const std::optional<double> isVehicle = reader.optionalNumber("is_vehicle"))
+    {
+        if (*isVehicle != 0.0 && *isVehicle != 1.0) reader.fail("is_vehicle", "expected 0 or 1");
+        report.isVehicle = *isVehicle == 1.0;
+    }
     report.box = {reader.number("x_m"), reader.number("y_m"), reader.number("heading_rad"),
                   sizeIn(reader, "length_m"), sizeIn(reader, "width_m")};
     report.z = reader.number("z_m");
@@ -199,10 +204,9 @@ std::string tracksHeader()
 std::vector<double> toNumbers(double time, const TrackReport& report)
 {
     constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
-    // What the discriminator holds more likely than not is called a vehicle.
-    constexpr double kVehicle = 0.5;
     const std::optional<double>& probability = report.vehicleProbability;
-    const double isVehicle = probability ? (*probability >= kVehicle ? 1.0 : 0.0) : kNothing;
+    const std::optional<bool> vehicle = isCalledVehicle(report);
+    const double isVehicle = vehicle ? (*vehicle ? 1.0 : 0.0) : kNothing;
     const OrientedBox& box = report.box;
     const Eigen::Matrix4d& p = report.covariance;
     return {time,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vdamf/rawlog/configuration.h"
 
+#include "discriminator_file.h"
 #include "vdamf/files/numbers.h"
 
 namespace vdamf
@@ -42,9 +43,12 @@ Configuration readConfiguration(const IniDocument& document)
     reader.read("motion", c.tracker.motion);
     reader.read("lifecycle", c.tracker.lifecycle);
     reader.read("tracker", c.tracker.execution);
+    reader.read("discriminator", c.tracker.discriminator);
     reader.read("output", c.output);
     checkLimits(reader, c.tracker);
     reader.finish();
+    c.tracker.discriminator.loaded =
+        discriminatorFromFile(c.tracker.discriminator, document.fileName());
     return c;
 }
 
@@ -64,6 +68,7 @@ std::string toIni(const Configuration& c)
     writer.write("motion", "Variable-axis steering model", c.tracker.motion);
     writer.write("lifecycle", "Start, confirmation and end of tracks", c.tracker.lifecycle);
     writer.write("tracker", "How the tracker runs", c.tracker.execution);
+    writer.write("discriminator", "Vehicle or not (paper, 5)", c.tracker.discriminator);
     writer.write("output", "Annotated rawlog", c.output);
     return writer.text();
 }

@@ -185,9 +185,9 @@ TEST(Tracker, NamesItsStagesInOrder)
     std::vector<std::string> stages;
     tracker.onStage([&](const Stage* s) { stages.push_back(s != nullptr ? toString(*s) : "end"); });
     tracker.process(LadarFrame{});
-    EXPECT_EQ(stages,
-              (std::vector<std::string>{"ground removal", "clustering", "prediction", "association",
-                                        "matched filter", "update", "new tracks", "end"}));
+    EXPECT_EQ(stages, (std::vector<std::string>{"ground removal", "clustering", "prediction",
+                                                "association", "matched filter", "update",
+                                                "new tracks", "discrimination", "end"}));
 }
 
 }  // namespace

@@ -46,6 +46,7 @@ Sighting sightingOf(const SegmentedFrame& frame, const std::vector<std::size_t>&
     s.time = frame.time;
     s.sensor = frame.sensor.head<2>();
     s.lag = seen.lag;
+    s.clusters = clusters;
     s.measurement = measureTarget(seen.hits, sensor, start, options, knownLengthWidth);
     Measurement& m = s.measurement;
     m.hiddenEnds = hiddenEnds(m.box, m.facesSeen, sensor, frame.profile);

@@ -20,7 +20,9 @@ struct SegmentedFrame
     double time = 0.0;                                 ///< s
     Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< world, m
     Eigen::Vector3d sensor = Eigen::Vector3d::Zero();  ///< world, m
+    std::size_t points = 0;
     std::size_t pointsAboveGround = 0;
+    bool planar = false;
     RangeProfile profile;
     std::vector<Cluster> clusters;
     std::vector<Hits> hits;  ///< of each cluster
@@ -44,6 +46,7 @@ struct Sighting
     double time = 0.0;                                 ///< of the frame, s
     double lag = 0.0;                                  ///< of the hits after it, s
     Eigen::Vector2d sensor = Eigen::Vector2d::Zero();  ///< m
+    std::vector<std::size_t> clusters;                 ///< of the frame, whose hits they are
     Measurement measurement;
     double groundZ = 0.0;  ///< local ground, m
     double height = 0.0;   ///< of the highest hit above it, m

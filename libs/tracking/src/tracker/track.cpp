@@ -97,6 +97,7 @@ Track predictedTrack(const Track& before, double dt, VehicleKalmanFilter& filter
     track.state = track.hypotheses.combined(options);
     track.measurement.reset();
     track.nis.reset();
+    track.features.clear();
     return track;
 }
 
@@ -128,6 +129,7 @@ TrackReport reportOf(const Track& track, const VisibilityOptions& options)
         report.facesSeen = track.measurement->facesSeen;
         report.measuredBox = track.measurement->box;
         report.nis = track.nis;
+        report.features = track.features;
     }
     return report;
 }

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "tracker/sighting.h"
+#include "vdamf/tracking/discrimination/classify.h"
 #include "vdamf/tracking/estimation/heading_belief.h"
 #include "vdamf/tracking/estimation/motion_hypotheses.h"
 #include "vdamf/tracking/estimation/start_state.h"
@@ -37,9 +38,11 @@ struct Track
     HeadingBelief front;
     SizesTold told;
     std::deque<PathPoint> path;  ///< sightings of the last second
+    VehicleEvidence evidence;    ///< of the discriminator
     // Of the current frame:
     std::optional<Measurement> measurement;
     std::optional<double> nis;
+    std::vector<float> features;  ///< where options ask for them
 
     OrientedBox box() const { return state.box(); }
     Eigen::Vector2d velocity() const  ///< of the centre, world, m/s

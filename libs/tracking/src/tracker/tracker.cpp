@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "association/plane_index.h"
+#include "tracker/discriminate.h"
 #include "tracker/new_sightings.h"
 #include "tracker/one_time.h"
 #include "tracker/shared_cut.h"
@@ -29,7 +30,9 @@ class Tracker::Impl
 {
 public:
     explicit Impl(const TrackerOptions& options)
-        : options_(options), workers_(options.execution.threads)
+        : options_(options),
+          workers_(options.execution.threads),
+          discriminator_(options.discriminator)
     {
         for (std::size_t k = 0; k < workers_.size(); ++k) filters_.emplace_back(options.motion);
     }
@@ -44,13 +47,15 @@ public:
         enter(Stage::Association);
         const std::vector<PredictedTarget> predicted = targets(frame.origin);
         segmented = withSharedClustersCut(std::move(segmented), predicted, options_);
-        const auto assignment = assignClusters(predicted, segmented.hits, options_.association);
+        auto assignment = assignClusters(predicted, segmented.hits, options_.association);
         enter(Stage::Measurement);
         const auto sightings = measureTracks(segmented, assignment);
         enter(Stage::Update);
         updateTracks(frame.time, sightings);
         enter(Stage::NewTracks);
-        startTracks(segmented, assignment);
+        assignment = startTracks(segmented, std::move(assignment));
+        enter(Stage::Discrimination);
+        judgeTracks(segmented, assignment);
         removeDuplicates();
         FrameResult result = reportFrame(frame, segmented);
         removeEnded();
@@ -72,6 +77,8 @@ private:
         s.time = frame.time;
         s.origin = frame.origin;
         s.sensor = frame.sensor;
+        s.points = frame.points.size();
+        s.planar = frame.planar;
         enter(Stage::Ground);
         const AboveGround above = removeGround(frame, options_.ground);
         s.pointsAboveGround = above.index.size();
@@ -172,15 +179,28 @@ private:
         if (lost) track.status = TrackStatus::Ended;
     }
 
-    void startTracks(const SegmentedFrame& frame,
-                     const std::vector<std::vector<std::size_t>>& assignment)
+    // Returns the assignment with the new tracks.
+    std::vector<std::vector<std::size_t>> startTracks(
+        const SegmentedFrame& frame, std::vector<std::vector<std::size_t>> assignment)
     {
         std::vector<bool> claimed(frame.clusters.size(), false);
         for (const auto& taken : assignment)
             for (const std::size_t i : taken) claimed[i] = true;
         const StartSpeed speed{0.0, options_.lifecycle.startSpeedSigma};
         for (const Sighting& s : newSightings(frame, claimed, options_))
+        {
             tracks_.push_back(startedTrack(nextId_++, s, speed, options_));
+            assignment.push_back(s.clusters);
+        }
+        return assignment;
+    }
+
+    void judgeTracks(const SegmentedFrame& frame,
+                     const std::vector<std::vector<std::size_t>>& assignment)
+    {
+        workers_.forEach(
+            tracks_.size(), [&](std::size_t j, std::size_t)
+            { tracks_[j] = discriminator_.judged(std::move(tracks_[j]), frame, assignment[j]); });
     }
 
     // Two tracks on one object: the older one stays.
@@ -221,7 +241,8 @@ private:
         result.pointsAboveGround = segmented.pointsAboveGround;
         result.clusters = segmented.clusters.size();
         for (const Track& track : tracks_)
-            result.tracks.push_back(reportOf(track, options_.visibility));
+            result.tracks.push_back(
+                discriminator_.withProbability(reportOf(track, options_.visibility), track));
         return result;
     }
 
@@ -235,7 +256,8 @@ private:
     TrackerOptions options_;
     WorkerPool workers_;
     std::vector<VehicleKalmanFilter> filters_;  // of each worker
-    std::vector<Track> tracks_;                 // by rising id
+    Discriminator discriminator_;
+    std::vector<Track> tracks_;  // by rising id
     std::uint64_t nextId_ = 1;
     std::optional<double> time_;
 };

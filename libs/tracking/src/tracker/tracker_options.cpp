@@ -18,6 +18,7 @@ std::vector<std::string> TrackerOptions::problems() const
     add("motion", problemsOf(motion));
     add("lifecycle", problemsOf(lifecycle));
     add("tracker", problemsOf(execution));
+    add("discriminator", problemsOf(discriminator));
     return all;
 }
 
@@ -39,6 +40,8 @@ const char* toString(Stage stage)
             return "update";
         case Stage::NewTracks:
             return "new tracks";
+        case Stage::Discrimination:
+            return "discrimination";
     }
     return "";
 }

@@ -34,4 +34,11 @@ std::optional<TrackStatus> trackStatusFromString(const std::string& text)
     return std::nullopt;
 }
 
+std::optional<bool> isCalledVehicle(const TrackReport& report)
+{
+    constexpr double kMoreLikely = 0.5;
+    if (report.isVehicle || !report.vehicleProbability) return report.isVehicle;
+    return *report.vehicleProbability >= kMoreLikely;
+}
+
 }  // namespace vdamf

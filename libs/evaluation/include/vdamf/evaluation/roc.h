@@ -45,6 +45,14 @@ struct RocScores
     std::optional<double> missRateAtOnePercent;
 };
 
+/// Where the curve lies at a false positive rate: 95 % interval by bootstrap over tracks.
+struct RocBandPoint
+{
+    double falsePositiveRate = 0.0;
+    double low = 0.0;  ///< of the true positive rate
+    double high = 0.0;
+};
+
 struct Roc
 {
     std::size_t vehicleSamples = 0;
@@ -54,6 +62,8 @@ struct Roc
     RocScores low;  ///< 95 % interval by bootstrap over tracks: samples of one track are alike
     RocScores high;
     std::vector<RocPoint> curve;  ///< by falling threshold, from (0, 0) to (1, 1)
+    /// By rising rate, from 1e-4 to 1 in even steps of its logarithm; empty without replicates.
+    std::vector<RocBandPoint> band;
 };
 
 struct RocOptions

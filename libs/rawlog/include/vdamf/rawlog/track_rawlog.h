@@ -61,7 +61,7 @@ struct TrackRawlogSummary
     InsReport ins;  ///< what became of its samples
     /// Seconds spent: reading (with parsing), scan to world frame, the tracker's stages, writing.
     double readSeconds = 0.0, frameSeconds = 0.0, writeSeconds = 0.0;
-    std::array<double, 7> stageSeconds{};  ///< by Stage
+    std::array<double, 8> stageSeconds{};  ///< by Stage
     NisReport nis;
     bool interrupted = false;
 };

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "vdamf/tracking/association/auction.h"
+#include "vdamf/tracking/discrimination/options.h"
 #include "vdamf/tracking/estimation/variable_axis_model.h"
 #include "vdamf/tracking/estimation/visibility.h"
 #include "vdamf/tracking/matched_filter/measure.h"
@@ -73,6 +74,7 @@ struct TrackerOptions
     MotionOptions motion;
     LifecycleOptions lifecycle;
     ExecutionOptions execution;
+    DiscriminatorOptions discriminator;
 
     /// All problems, each with its section: "[clustering] gap_m = ...". Empty: valid.
     std::vector<std::string> problems() const;
@@ -87,7 +89,8 @@ enum class Stage
     Association,
     Measurement,
     Update,
-    NewTracks
+    NewTracks,
+    Discrimination
 };
 const char* toString(Stage stage);
 

@@ -34,6 +34,7 @@ struct TrackReport
     std::uint64_t id = 0;  ///< unique in a run, from 1
     TrackStatus status = TrackStatus::Tentative;
     std::optional<double> vehicleProbability;  ///< of the discriminator; nothing where none ran
+    std::optional<bool> isVehicle;             ///< what the discriminator calls it
     OrientedBox box;                           ///< world frame, m and rad
     double z = 0.0;                            ///< bottom of the box, world, m
     double height = 0.0;                       ///< m
@@ -52,7 +53,14 @@ struct TrackReport
     double widthVariance = 0.0;   ///< m^2
     /// The box measured in this frame, before filtering.
     std::optional<OrientedBox> measuredBox;
+    /// What the discriminator saw in this frame, where DiscriminatorOptions::keepFeatures asks for
+    /// it; else empty.
+    std::vector<float> features;
 };
+
+/// What the discriminator calls it; where only its probability is known, what is more likely.
+/// Nothing where none ran.
+std::optional<bool> isCalledVehicle(const TrackReport& report);
 
 /// Everything that one frame led to. The library's one product: it is annotated, tabulated,
 /// drawn, evaluated and asserted on.

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "classifier.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <iterator>
+#include <sstream>
+
+#include "collect.h"
+#include "pictures.h"
+#include "quality.h"
+#include "vdamf/files/numbers.h"
+#include "vdamf/files/output_file.h"
+
+namespace vdamf
+{
+namespace
+{
+using Tracks = std::vector<TrackSamples>;
+
+struct Collection
+{
+    Tracks train;
+    Tracks test;
+};
+
+void append(Tracks& all, Tracks more)
+{
+    std::move(more.begin(), more.end(), std::back_inserter(all));
+}
+
+std::string countsText(const TrainingCounts& c)
+{
+    return std::to_string(c.vehicleTracks) + " vehicle tracks (" + std::to_string(c.vehicleFrames) +
+           " frames), " + std::to_string(c.clutterTracks) + " clutter tracks (" +
+           std::to_string(c.clutterFrames) + " frames)";
+}
+
+Collection collect(const ClassifierJob& job, const std::atomic<bool>& stop)
+{
+    Collection collection;
+    for (std::size_t i = 0; i < job.recordings.size(); ++i)
+    {
+        const Recording& recording = job.recordings[i];
+        Tracks tracks = collectSamples(recording, i, job.configuration, job.grid, stop);
+        const bool isTest = recording.options.use == RecordingUse::Test;
+        if (!job.quiet)
+            std::fprintf(stderr, "%s%s: %s\n", recording.name.c_str(), isTest ? " (test)" : "",
+                         countsText(countsOf(tracks)).c_str());
+        append(isTest ? collection.test : collection.train, std::move(tracks));
+    }
+    return collection;
+}
+
+std::vector<std::string> recordOf(const ClassifierJob& job, const Training& training,
+                                  const QualityReport& quality)
+{
+    std::vector<std::string> record = {"vdamf-train " + job.version,
+                                       "trained on " + countsText(training.counts)};
+    std::string names;
+    for (const Recording& recording : job.recordings)
+        if (recording.options.use == RecordingUse::Train)
+            names += (names.empty() ? "" : " ") + recording.name;
+    record.push_back("recordings " + names);
+    std::ostringstream options;
+    options << "cost " << training.cost << ", folds " << job.training.folds << ", seed "
+            << job.training.seed << ", frames per track " << job.training.framesPerTrack;
+    record.push_back(options.str());
+    const auto tell = [&](const char* name, const Quality& q)
+    {
+        if (!q.roc) return;
+        std::string line = std::string(name) + ", held out: equal error rate " +
+                           toFixedText(q.roc->scores.equalErrorRate, 4);
+        if (q.roc->scores.missRateAtOnePercent)
+            line +=
+                ", found at 1 % false " + toFixedText(1.0 - *q.roc->scores.missRateAtOnePercent, 4);
+        record.push_back(line + ", calibration error " +
+                         toFixedText(q.reliability.expectedCalibrationError, 4));
+    };
+    tell("single frames", quality.frames);
+    tell("single frames with 50 hits or more", quality.clearFrames);
+    tell("tracks at each frame", quality.tracks);
+    tell("tracks at their end", quality.tracksAtEnd);
+    return record;
+}
+
+void tellTests(const ClassifierJob& job, const std::vector<HeldOutFrame>& frames)
+{
+    for (std::size_t i = 0; i < job.recordings.size(); ++i)
+    {
+        if (job.recordings[i].options.use != RecordingUse::Test) continue;
+        std::vector<HeldOutFrame> ofThis;
+        std::copy_if(frames.begin(), frames.end(), std::back_inserter(ofThis),
+                     [&](const HeldOutFrame& f) { return f.recording == i; });
+        std::printf("\nTest on %s, which was not trained on\n%s", job.recordings[i].name.c_str(),
+                    qualityText(qualityOf(ofThis, {})).c_str());
+    }
+}
+
+/// Of held-out frames: which objects fool the discriminator.
+std::string heldOutTable(const ClassifierJob& job, const std::vector<HeldOutFrame>& frames)
+{
+    std::string text =
+        "recording,track_id,time_s,range_m,points,object_id,vehicle,frame_probability,"
+        "track_probability\n";
+    for (const HeldOutFrame& f : frames)
+    {
+        const ObjectSample& s = *f.sample;
+        text +=
+            job.recordings[f.recording].name + ',' + std::to_string(s.track & 0xFFFFFFFFU) + ',' +
+            toFixedText(s.time, 6) + ',' + toFixedText(s.range, 2) + ',' + std::to_string(s.hits) +
+            ',' + s.object + ',' + (s.label == ObjectLabel::Vehicle ? "1," : "0,") +
+            toFixedText(f.frameProbability, 6) + ',' + toFixedText(f.trackProbability, 6) + '\n';
+    }
+    return text;
+}
+
+void write(const ClassifierJob& job, const std::filesystem::path& path, const std::string& text)
+{
+    const auto existing =
+        job.overwrite ? OutputFile::Existing::Overwrite : OutputFile::Existing::Refuse;
+    OutputFile file(path, existing, OutputFile::Unfinished::Discard);
+    file.write(text);
+    file.commit();
+}
+}  // namespace
+
+void trainClassifier(const ClassifierJob& job, const std::atomic<bool>& stop)
+{
+    const auto existing =
+        job.overwrite ? OutputFile::Existing::Overwrite : OutputFile::Existing::Refuse;
+    OutputFile file(job.model, existing, OutputFile::Unfinished::Discard);
+    const Collection collection = collect(job, stop);
+    const auto progress = [&](const std::string& line)
+    {
+        if (!job.quiet) std::fprintf(stderr, "%s\n", line.c_str());
+    };
+    Training training = trainClassifier(collection.train, job.grid, job.training, progress);
+    const QualityReport quality = qualityOf(training.heldOut, {});
+    training.model.record = recordOf(job, training, quality);
+    std::printf("Trained on %s\nCross-validation: held-out tracks\n%s",
+                countsText(training.counts).c_str(), qualityText(quality).c_str());
+    const std::vector<HeldOutFrame> tested = judge(training.model, collection.test);
+    if (!tested.empty()) tellTests(job, tested);
+    file.write(toText(training.model));
+    file.commit();
+    if (!job.heldOut.empty())
+    {
+        std::vector<HeldOutFrame> all = training.heldOut;
+        all.insert(all.end(), tested.begin(), tested.end());
+        write(job, job.heldOut, heldOutTable(job, all));
+    }
+    if (job.plots.empty()) return;
+    std::filesystem::create_directories(job.plots);
+    for (const Picture& picture : classifierPictures(training.model, quality, collection.train))
+        write(job, job.plots / (picture.name + ".svg"), picture.svg);
+}
+
+}  // namespace vdamf

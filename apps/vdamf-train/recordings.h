@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What to train on: an ini file with a section [recording NAME] for each recording.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "vdamf/files/ini.h"
+
+namespace vdamf
+{
+enum class RecordingUse
+{
+    Train,
+    Test  ///< never trained on: told how well the model does there
+};
+
+template <>
+struct EnumNames<RecordingUse>
+{
+    static std::vector<std::pair<RecordingUse, const char*>> names()
+    {
+        return {{RecordingUse::Train, "train"}, {RecordingUse::Test, "test"}};
+    }
+};
+
+/// Section [recording NAME].
+struct RecordingOptions
+{
+    std::string rawlog;
+    std::string truth;
+    RecordingUse use = RecordingUse::Train;
+    std::string scene;
+    double regionFov = 0.0;  ///< rad
+    double maxRange = 0.0;   ///< m
+    int minPoints = 10;
+    int weight = 1;
+
+    template <class Self, class Visitor>
+    static void visit(Self& self, Visitor&& field)
+    {
+        field(self.rawlog, "rawlog", "from the folder of this file");
+        field(self.truth, "truth", "its truth.csv");
+        field(self.use, "use", "what it is for");
+        field(self.scene, "scene",
+              "recordings of one scene are never split between training and test; empty: tracks "
+              "are split");
+        field(self.regionFov, "region_fov_deg", 0.0, 360.0,
+              "labelled sector ahead of the sensor; 0: all around");
+        field(self.maxRange, "max_range_m", 0.0, 1e4, "labelled range; 0: all");
+        field(self.minPoints, "min_points", 0, 1000000, "vehicles with fewer hits are left out");
+        field(self.weight, "weight", 1, 1000,
+              "how many times its frames count in training; calibration and results count once");
+    }
+};
+
+struct Recording
+{
+    std::string name;
+    std::filesystem::path rawlog;
+    std::filesystem::path truth;
+    RecordingOptions options;
+};
+
+/// Throws IniError or std::runtime_error that names file and section.
+std::vector<Recording> readRecordings(const IniDocument& document);
+
+}  // namespace vdamf

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tracker/discriminate.h"
+
+#include <utility>
+
+#include "vdamf/tracking/discrimination/features.h"
+
+namespace vdamf
+{
+Discriminator::Discriminator(const DiscriminatorOptions& options) : options_(options) {}
+
+const DiscriminatorModel& Discriminator::model() const
+{
+    return options_.loaded ? *options_.loaded : defaultDiscriminatorModel();
+}
+
+Track Discriminator::judged(Track track, const SegmentedFrame& frame,
+                            const std::vector<std::size_t>& clusters) const
+{
+    if (options_.isOff() || !track.measurement) return track;
+    ObjectView view;
+    view.box = track.measurement->box;
+    view.box.x -= frame.origin.x();
+    view.box.y -= frame.origin.y();
+    view.sensor = frame.sensorInFrame();
+    view.match = track.measurement->match;
+    view.frameHits = frame.points;
+    view.planar = frame.planar;
+    std::size_t hits = 0;
+    for (const std::size_t k : clusters)
+    {
+        view.clusters.push_back(&frame.clusters[k]);
+        hits += frame.clusters[k].size();
+    }
+    std::vector<float> features = objectFeatures(view, model().grid);
+    const double score = vehicleScore(model(), features);
+    track.evidence = withFrame(track.evidence, frameLogOdds(model().frame, score, hits),
+                               model().track, model().frame.prior);
+    if (options_.keepFeatures) track.features = std::move(features);
+    return track;
+}
+
+TrackReport Discriminator::withProbability(TrackReport report, const Track& track) const
+{
+    if (options_.isOff()) return report;
+    const double probability = toProbability(trackLogOdds(track.evidence, model().track));
+    report.vehicleProbability = probability;
+    report.isVehicle = probability >= options_.minProbability;
+    return report;
+}
+
+}  // namespace vdamf

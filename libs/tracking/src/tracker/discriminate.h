@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The discriminator at work on tracks.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "tracker/track.h"
+
+namespace vdamf
+{
+/// Evidence of tracks that have hits in a frame.
+class Discriminator
+{
+public:
+    explicit Discriminator(const DiscriminatorOptions& options);
+
+    /// The track with what the clusters of its measurement say.
+    Track judged(Track track, const SegmentedFrame& frame,
+                 const std::vector<std::size_t>& clusters) const;
+
+    /// The report with the track's probability.
+    TrackReport withProbability(TrackReport report, const Track& track) const;
+
+private:
+    const DiscriminatorModel& model() const;
+
+    DiscriminatorOptions options_;
+};
+
+}  // namespace vdamf

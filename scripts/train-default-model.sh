@@ -1,0 +1,84 @@
+#!/usr/bin/env bash
+# Trains models/vehicle.txt, the discriminator that the programs have built in:
+#   scripts/train-default-model.sh [--data DIR] [--work DIR] [--plots DIR] [OPTIONS of vdamf-train]
+# Simulates scenes (datasets/scenarios and random streets), imports the two KITTI drives from DIR
+# (2011_09_26/2011_09_26_drive_0001_sync and 0005), tracks them all and trains. Scenes that are in
+# the work folder already are not simulated again.
+set -euo pipefail
+root=$(cd "$(dirname "$0")/.." && pwd)
+preset=${VDAMF_PRESET:-release}
+apps=${VDAMF_APPS:-$root/build/$preset/apps}
+data=${VDAMF_DATA_DIR:-}
+work=$root/results/training
+options=()
+model=$root/models/vehicle.txt
+while [ $# -gt 0 ]; do
+    case $1 in
+        --data) data=$2; shift 2 ;;
+        --work) work=$2; shift 2 ;;
+        --model) model=$2; shift 2 ;;
+        *) options+=("$1"); shift ;;
+    esac
+done
+[ -x "$apps/vdamf-train" ] || "$root/scripts/build.sh" "$preset"
+mkdir -p "$work"
+work=$(cd "$work" && pwd)
+list=$work/recordings.ini
+echo "# Written by scripts/train-default-model.sh" > "$list"
+
+# record NAME [line...]: a section of the list; the rawlog is NAME.rawlog, its truth NAME.csv.
+record()
+{
+    printf '\n[recording %s]\nrawlog = %s.rawlog\ntruth = %s.csv\n' "$1" "$1" "$1" >> "$list"
+    shift
+    [ $# -eq 0 ] || printf '%s\n' "$@" >> "$list"
+}
+
+# simulate NAME SCENARIO [options]: unless it is there.
+simulate()
+{
+    local name=$1 scenario=$2
+    shift 2
+    [ -f "$work/$name.csv" ] ||
+        "$apps/vdamf-simulate" "$scenario" -o "$work/$name.rawlog" --truth "$work/$name.csv" \
+            --overwrite --quiet "$@"
+}
+
+for scenario in "$root"/datasets/scenarios/*.ini; do
+    name=$(basename "$scenario" .ini)
+    case $name in argoverse | noisy_ins) continue ;; esac
+    simulate "$name" "$scenario"
+    record "$name" "scene = $name"
+done
+simulate line_scanner_2 "$root/datasets/scenarios/parked_row.ini" \
+    --set sensor.model=LMS-511 --set sensor.z_m=0.6 --set sensor.x_m=3
+record line_scanner_2 "scene = parked_row"
+simulate line_scanner_3 "$root/datasets/scenarios/two_wheelers_and_people.ini" \
+    --set sensor.model=LMS-511 --set sensor.z_m=0.6 --set sensor.x_m=3
+record line_scanner_3 "scene = two_wheelers_and_people"
+
+number=0
+for round in $(seq 8); do
+    for sensor in HDL-32E HDL-64E VLP-16; do
+        number=$((number + 1))
+        name=street_${number}_$sensor
+        awk -v seed=$number -v sensor=$sensor -f "$root/scripts/random-scene.awk" \
+            > "$work/$name.ini"
+        simulate "$name" "$work/$name.ini"
+        record "$name" "scene = $name"
+    done
+done
+
+if [ -n "$data" ] && [ -d "$data/2011_09_26" ]; then
+    for drive in 0001 0005; do
+        name=kitti_$drive
+        [ -f "$work/$name.csv" ] ||
+            "$apps/vdamf-import" kitti-raw "$data/2011_09_26/2011_09_26_drive_${drive}_sync" \
+                -o "$work/$name.rawlog" --truth "$work/$name.csv" --overwrite
+        record "$name" "region_fov_deg = 80" "max_range_m = 60" "weight = 3"
+    done
+else
+    echo "no recorded drives (--data DIR): the model is trained on simulated scenes alone" >&2
+fi
+
+"$apps/vdamf-train" classifier "$list" -o "$model" --overwrite "${options[@]}"

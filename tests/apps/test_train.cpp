@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vdamf-train on the shipped street, its model in vdamf-track, and what both refuse.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <string>
+
+#include "apps/command_line.h"
+#include "files/temporary_folder.h"
+#include "vdamf/files/csv.h"
+#include "vdamf/files/text_file.h"
+
+namespace vdamf
+{
+namespace
+{
+using testing::HasSubstr;
+namespace fs = std::filesystem;
+
+const std::string kStreet = VDAMF_SOURCE_DIR "/datasets/street/";
+
+class Train : public testing::Test
+{
+protected:
+    std::string at(const std::string& name) const { return (folder_.path() / name).string(); }
+
+    void make(const std::string& name, const std::string& text) const
+    {
+        std::ofstream(at(name), std::ios::binary) << text;
+    }
+
+    void makeList(const std::string& more = "") const
+    {
+        make("list.ini", "[recording street]\nrawlog = " + kStreet +
+                             "street.rawlog\ntruth = " + kStreet + "truth.csv\n" + more);
+    }
+
+    int run(const std::string& app, const std::string& arguments)
+    {
+        const Outcome outcome = runShell("cd '" + folder_.path().string() +
+                                         "' && '" VDAMF_APPS_DIR "/" + app + "' " + arguments);
+        output_ = outcome.output;
+        return outcome.exitCode;
+    }
+
+    TemporaryFolder folder_;
+    std::string output_;
+};
+
+TEST_F(Train, MakesAModelThatVdamfTrackTakes)
+{
+    makeList();
+    const std::string command =
+        "classifier list.ini --folds 3 --cost 0.1 -q -o vehicle.txt --plots plots "
+        "--held-out held.csv";
+    ASSERT_EQ(run("vdamf-train", command), 0) << output_;
+    EXPECT_THAT(output_, HasSubstr("single frames with 50 hits or more"));
+    EXPECT_THAT(output_, HasSubstr("equal error rate"));
+    for (const char* name : {"weights", "vehicles", "clutter", "roc", "det", "reliability"})
+        EXPECT_TRUE(fs::exists(folder_.path() / "plots" / (std::string(name) + ".svg"))) << name;
+    CsvReader held(at("held.csv"), {"recording", "track_id", "vehicle", "frame_probability"});
+    std::set<std::int64_t> kinds;
+    while (held.next()) kinds.insert(held.integer("vehicle"));
+    EXPECT_EQ(kinds.size(), 2U);
+
+    const std::string model = readTextFile(at("vehicle.txt"));
+    EXPECT_EQ(run("vdamf-train", command), 1);
+    EXPECT_THAT(output_, HasSubstr("--overwrite"));
+    ASSERT_EQ(run("vdamf-train", command + " --overwrite"), 0) << output_;
+    EXPECT_EQ(readTextFile(at("vehicle.txt")), model);
+
+    // The configuration's folder is where its model is looked for.
+    fs::create_directories(folder_.path() / "other");
+    fs::rename(at("vehicle.txt"), folder_.path() / "other" / "vehicle.txt");
+    make("other/config.ini", "[discriminator]\nmodel = vehicle.txt\nmin_probability = 0.9\n");
+    const std::string track = "-i " + kStreet + "street.rawlog --frames 0:20 -q --overwrite ";
+    ASSERT_EQ(run("vdamf-track", track + "-c other/config.ini --tracks t.csv"), 0) << output_;
+    CsvReader tracks(at("t.csv"), {"vehicle_probability", "is_vehicle"});
+    int vehicles = 0;
+    while (tracks.next())
+    {
+        const double probability = tracks.number("vehicle_probability");
+        EXPECT_EQ(tracks.integer("is_vehicle"), probability >= 0.9 ? 1 : 0) << probability;
+        vehicles += probability >= 0.9 ? 1 : 0;
+    }
+    EXPECT_GT(vehicles, 20);
+}
+
+TEST_F(Train, WithoutADiscriminatorTracksHaveNoProbability)
+{
+    ASSERT_EQ(run("vdamf-track", "-i " + kStreet + "street.rawlog --frames 0:5 -q --tracks t.csv " +
+                                     "--set discriminator.model=none"),
+              0)
+        << output_;
+    CsvReader tracks(at("t.csv"), {"vehicle_probability"});
+    int rows = 0;
+    for (; tracks.next(); ++rows)
+        EXPECT_FALSE(tracks.optionalNumber("vehicle_probability").has_value());
+    EXPECT_GT(rows, 0);
+}
+
+TEST_F(Train, BadModelsAreRefusedBeforeTheFirstFrame)
+{
+    const std::string good = readTextFile(VDAMF_SOURCE_DIR "/models/vehicle.txt");
+    const auto errorWith = [&](const std::string& text)
+    {
+        make("bad.txt", text);
+        EXPECT_EQ(run("vdamf-track", "-i " + kStreet +
+                                         "street.rawlog --tracks t.csv "
+                                         "--set discriminator.model=bad.txt"),
+                  2)
+            << output_;
+        EXPECT_FALSE(fs::exists(at("t.csv")));
+        return output_;
+    };
+    EXPECT_THAT(errorWith(good.substr(0, good.size() / 2)), HasSubstr("bad.txt:"));
+    EXPECT_THAT(errorWith("vdamf discriminator 9\n"), HasSubstr("another version"));
+    EXPECT_THAT(errorWith(""), HasSubstr("bad.txt:1:"));
+    EXPECT_EQ(run("vdamf-track", "-i " + kStreet +
+                                     "street.rawlog --tracks t.csv "
+                                     "--set discriminator.model=missing.txt"),
+              2);
+    EXPECT_THAT(output_, HasSubstr("missing.txt"));
+}
+
+TEST_F(Train, BadListsAreErrorsWithTheirPlace)
+{
+    const auto errorOf = [&](const std::string& text)
+    {
+        make("list.ini", text);
+        EXPECT_EQ(run("vdamf-train", "classifier list.ini -o m.txt"), 2) << output_;
+        return output_;
+    };
+    EXPECT_THAT(errorOf(""), HasSubstr("[recording NAME]"));
+    EXPECT_THAT(errorOf("[recording a]\nrawlog = a.rawlog\n"), HasSubstr("names no truth"));
+    EXPECT_THAT(errorOf("[recording a]\nrawlog = a\ntruth = b\nregion_fov = 3\n"),
+                HasSubstr("region_fov_deg"));
+    EXPECT_THAT(errorOf("[recordings a]\nrawlog = a\ntruth = b\n"), HasSubstr("recordings a"));
+    EXPECT_EQ(run("vdamf-train", ""), 2);
+    EXPECT_EQ(run("vdamf-train", "classifier missing.ini -o m.txt"), 2);
+}
+
+TEST_F(Train, NeedsEnoughGroups)
+{
+    makeList("scene = one\n");
+    EXPECT_EQ(run("vdamf-train", "classifier list.ini -q -o m.txt"), 1);
+    EXPECT_THAT(output_, HasSubstr("groups"));
+    EXPECT_FALSE(fs::exists(at("m.txt")));
+    make("list.ini", "[recording a]\nrawlog = missing.rawlog\ntruth = " + kStreet + "truth.csv\n");
+    EXPECT_EQ(run("vdamf-train", "classifier list.ini -q -o m.txt"), 1);
+    EXPECT_THAT(output_, HasSubstr("missing.rawlog"));
+}
+}  // namespace
+}  // namespace vdamf

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The canonical frame of section 5 and what the classifier sees of an object in it.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <random>
+
+#include "vdamf/tracking/discrimination/features.h"
+
+namespace vdamf
+{
+namespace
+{
+// Hits on rear and left side of a car, box frame: x to the front, y to the left.
+Cluster carHits()
+{
+    Cluster c;
+    std::mt19937 random(3);
+    std::uniform_real_distribution<float> any(0.0F, 1.0F);
+    for (int i = 0; i < 400; ++i)
+    {
+        const bool onSide = i % 3 != 0;
+        c.x.push_back(onSide ? -2.2F + 4.4F * any(random) : -2.2F);
+        c.y.push_back(onSide ? 0.9F : -0.9F + 1.8F * any(random));
+        c.height.push_back(0.25F + 1.2F * any(random));
+        c.z.push_back(c.height.back() - 1.7F);
+    }
+    return c;
+}
+
+struct Scene
+{
+    Cluster cluster;
+    ObjectView view;
+};
+
+// The car's box at a pose, the sensor at a place of the box frame, all turned and moved together.
+// `mirrored`: seen in a mirror along the box's axis.
+Scene sceneAt(double x, double y, double heading, const Eigen::Vector2d& sensorInBox,
+              bool mirrored = false)
+{
+    Scene s;
+    s.cluster = carHits();
+    const double sign = mirrored ? -1.0 : 1.0;
+    const Eigen::Matrix2d r = rotation(heading);
+    for (std::size_t i = 0; i < s.cluster.size(); ++i)
+    {
+        const Eigen::Vector2d at =
+            r * Eigen::Vector2d(s.cluster.x[i], sign * s.cluster.y[i]) + Eigen::Vector2d(x, y);
+        s.cluster.x[i] = static_cast<float>(at.x());
+        s.cluster.y[i] = static_cast<float>(at.y());
+    }
+    s.view.box = {x, y, heading, 4.4, 1.8};
+    s.view.sensor =
+        r * Eigen::Vector2d(sensorInBox.x(), sign * sensorInBox.y()) + Eigen::Vector2d(x, y);
+    s.view.match = 0.7;
+    s.view.frameHits = 60000;
+    return s;
+}
+
+const Eigen::Vector2d kBehindLeft(-14.0, 8.0);
+
+std::vector<float> featuresOf(Scene& scene)
+{
+    scene.view.clusters = {&scene.cluster};
+    return objectFeatures(scene.view, DiscriminationGrid{});
+}
+
+double largestDifference(const std::vector<float>& a, const std::vector<float>& b)
+{
+    double largest = 0.0;
+    for (std::size_t i = 0; i < a.size(); ++i)
+        largest = std::max(largest, static_cast<double>(std::abs(a[i] - b[i])));
+    return largest;
+}
+
+TEST(CanonicalFrame, HasTheClosestCornerAsOriginAndTheFacesAlongTheAxes)
+{
+    Scene scene = sceneAt(10.0, -5.0, 0.7, kBehindLeft);
+    scene.view.clusters = {&scene.cluster};
+    const CanonicalHits hits = toCanonicalFrame(scene.view);
+    ASSERT_EQ(hits.size(), 400U);
+    const Cluster box = carHits();
+    for (std::size_t i = 0; i < hits.size(); ++i)
+    {
+        EXPECT_NEAR(hits.x[i], box.x[i] + 2.2F, 1e-5);
+        EXPECT_NEAR(hits.y[i], 0.9F - box.y[i], 1e-5);
+        EXPECT_EQ(hits.z[i], box.height[i]);
+    }
+    EXPECT_NEAR(hits.sensor.x(), -11.8, 1e-9);
+    EXPECT_NEAR(hits.sensor.y(), -7.1, 1e-9);
+}
+
+TEST(CanonicalFrame, ThinsEvenlyAcrossClusters)
+{
+    Scene scene = sceneAt(0.0, 0.0, 0.0, kBehindLeft);
+    const Cluster second = scene.cluster;
+    scene.view.clusters = {&scene.cluster, &second};
+    const CanonicalHits hits = toCanonicalFrame(scene.view, 160);
+    EXPECT_EQ(hits.count, 800U);
+    EXPECT_EQ(hits.size(), 160U);
+    EXPECT_EQ(hits.z[1], scene.cluster.height[5]);
+    EXPECT_EQ(hits.z[81], second.height[5]);
+}
+
+TEST(CanonicalFrame, DropsHitsThatAreNotFinite)
+{
+    Scene scene = sceneAt(0.0, 0.0, 0.0, kBehindLeft);
+    scene.cluster.x[3] = std::numeric_limits<float>::quiet_NaN();
+    scene.cluster.height[4] = std::numeric_limits<float>::infinity();
+    scene.view.clusters = {&scene.cluster};
+    EXPECT_EQ(toCanonicalFrame(scene.view).size(), 398U);
+}
+
+TEST(Features, DoNotDependOnPoseMirrorOrWhichEndIsTheFront)
+{
+    Scene here = sceneAt(0.0, 0.0, 0.0, kBehindLeft);
+    const std::vector<float> expected = featuresOf(here);
+    Scene there = sceneAt(35.0, -20.0, 2.1, kBehindLeft);
+    Scene mirrored = sceneAt(35.0, -20.0, -1.1, kBehindLeft, true);
+    Scene turned = sceneAt(3.0, 4.0, 0.4, kBehindLeft);
+    turned.view.box.heading += kPi;
+    // Hits on the border of two cells may change theirs by rounding.
+    EXPECT_LT(largestDifference(featuresOf(there), expected), 0.04);
+    EXPECT_LT(largestDifference(featuresOf(mirrored), expected), 0.04);
+    EXPECT_LT(largestDifference(featuresOf(turned), expected), 0.04);
+}
+
+TEST(Features, OfCellsAreTheRootOfTheSharesOfTheHits)
+{
+    Scene scene = sceneAt(1.0, 2.0, 0.3, kBehindLeft);
+    const std::vector<float> features = featuresOf(scene);
+    const FeatureBlock cells = featureBlocks(DiscriminationGrid{}).front();
+    double sum = 0.0;
+    for (std::size_t i = 0; i < cells.size; ++i) sum += features[i] * features[i];
+    EXPECT_NEAR(sum, 1.0, 1e-4);
+}
+
+TEST(Features, OfDescriptorsShareOneBetweenTheirKnots)
+{
+    Scene scene = sceneAt(1.0, 2.0, 0.3, kBehindLeft);
+    const std::vector<float> features = featuresOf(scene);
+    const std::vector<FeatureBlock> blocks = featureBlocks(DiscriminationGrid{});
+    std::size_t next = 0;
+    for (const FeatureBlock& block : blocks)
+    {
+        EXPECT_EQ(block.first, next) << block.name;
+        next += block.size;
+        if (block.name == "cells") continue;
+        double sum = 0.0;
+        for (std::size_t i = 0; i < block.size; ++i)
+        {
+            EXPECT_GE(features[block.first + i], 0.0F);
+            sum += static_cast<double>(features[block.first + i]);
+        }
+        EXPECT_NEAR(sum, block.name == "flat_size" ? 0.0 : 1.0, 1e-5) << block.name;
+    }
+    EXPECT_EQ(next, features.size());
+    EXPECT_EQ(next, featureCount(DiscriminationGrid{}));
+}
+
+TEST(Features, OfPlanarScansKnowNoHeights)
+{
+    Scene scene = sceneAt(1.0, 2.0, 0.3, kBehindLeft);
+    scene.view.planar = true;
+    const std::vector<float> features = featuresOf(scene);
+    std::fill(scene.cluster.height.begin(), scene.cluster.height.end(), 0.6F);
+    EXPECT_EQ(featuresOf(scene), features);
+}
+
+TEST(Features, OfFewerHitsOfTheSameSurfaceAreAlike)
+{
+    Scene dense = sceneAt(0.0, 0.0, 0.0, kBehindLeft);
+    Scene sparse = dense;
+    const auto keepThird = [](std::vector<float>& v)
+    {
+        for (std::size_t i = 0; 3 * i < v.size(); ++i) v[i] = v[3 * i + (i % 2)];
+        v.resize(v.size() / 3);
+    };
+    for (auto* v :
+         {&sparse.cluster.x, &sparse.cluster.y, &sparse.cluster.z, &sparse.cluster.height})
+        keepThird(*v);
+    sparse.view.frameHits /= 3;
+    const std::vector<float> a = featuresOf(sparse);
+    const std::vector<float> b = featuresOf(dense);
+    const auto product = [](const std::vector<float>& u, const std::vector<float>& v)
+    { return std::inner_product(u.begin(), u.end(), v.begin(), 0.0); };
+    EXPECT_GT(product(a, b) / std::sqrt(product(a, a) * product(b, b)), 0.9);
+}
+
+TEST(Features, OfNothingAreZero)
+{
+    ObjectView view;
+    const std::vector<float> features = objectFeatures(view, DiscriminationGrid{});
+    EXPECT_EQ(features, std::vector<float>(featureCount(DiscriminationGrid{}), 0.0F));
+}
+
+TEST(Features, StayWithinZeroAndOneForOddViews)
+{
+    Cluster one;
+    one.x = one.y = one.z = one.height = {2.0F};
+    for (const Eigen::Vector2d& sensor : {Eigen::Vector2d(2.0, 2.0), Eigen::Vector2d(0.0, 0.0)})
+    {
+        ObjectView view;
+        view.box = {2.0, 2.0, 0.0, 1.0, 1.0};
+        view.sensor = sensor;
+        view.clusters = {&one};
+        view.match = std::numeric_limits<double>::quiet_NaN();
+        for (const float f : objectFeatures(view, DiscriminationGrid{}))
+        {
+            EXPECT_TRUE(f >= 0.0F && f <= 1.0F) << f;
+        }
+    }
+}
+}  // namespace
+}  // namespace vdamf
