@@ -18,6 +18,7 @@ function startDetails(panel, state, store) {
     shown.facts.innerHTML = factsOf(state, track);
     for (const chart of shown.charts) chart.moveTo(state.run.times[state.frame]);
     drawCloseUp(shown.closeUp, state, store, track);
+    showSurface(shown.surface, state, track);
   };
   state.onChange((changed) => {
     if (changed.has("track") || changed.has("object")) fill();
@@ -28,6 +29,15 @@ function startDetails(panel, state, store) {
   fill();
   update();
   return update;
+}
+
+/** Only where the track is measured: without, there is no filter. */
+function showSurface(canvas, state, track) {
+  const i = track.at(state.frame);
+  const box = i < 0 ? null : track.measuredBox(i);
+  canvas.hidden = !box || !state.layers.filter;
+  if (canvas.hidden) return;
+  drawSurface(canvas, filterRegions(state.run.filter, box, state.run.sensorAt(state.frame)));
 }
 
 function heading(state, text) {
@@ -57,9 +67,12 @@ function fillTrack(panel, state, track) {
   const charts = chartsOf(state, track);
   grid.append(...charts);
   const title = `Track #${track.id}: ${whatIs(state.run, track)}`;
-  panel.replaceChildren(heading(state, title), facts, closeUp, key, grid);
+  const surface = document.createElement("canvas");
+  surface.id = "surface";
+  surface.title = "The matched filter as a surface over the plane (Figs. 4 and 5)";
+  panel.replaceChildren(heading(state, title), facts, closeUp, surface, key, grid);
   panel.scrollTop = 0;
-  return {facts, closeUp, charts};
+  return {facts, closeUp, surface, charts};
 }
 
 function fillObject(panel, state, object) {
