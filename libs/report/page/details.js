@@ -10,10 +10,11 @@ function startDetails(panel, state, store) {
     panel.hidden = !track && !object;
     shown = {};
     if (track) shown = fillTrack(panel, state, track);
-    else if (object) fillObject(panel, state, object);
   };
   const update = () => {
     const track = state.run.byId.get(state.track);
+    const object = state.run.objects[state.object];
+    if (!track && object) fillObject(panel, state, object);
     if (!track || !shown.facts) return;
     shown.facts.innerHTML = factsOf(state, track);
     for (const chart of shown.charts) chart.moveTo(state.run.times[state.frame]);
@@ -84,7 +85,7 @@ function fillObject(panel, state, object) {
       .filter((id) => id !== undefined));
   const text = document.createElement("p");
   text.textContent = `Labelled ${object.class}, there ${spanOf(run, object)}. It counts in ${
-      counted.length} frames; a track is on it in ${found} of them.`;
+      counted.length} frames; a track is on it in ${found} of them. ${hitsOn(state, object)}`;
   panel.replaceChildren(heading(state, nameOfObject(object)), text);
   for (const id of tracks) {
     const button = document.createElement("button");
@@ -100,6 +101,17 @@ function fillObject(panel, state, object) {
 /** "from 1.0 s to 3.5 s" */
 function spanOf(run, life) {
   return `from ${run.times[life.first].toFixed(1)} s to ${run.times[life.last].toFixed(1)} s`;
+}
+
+/** What of a labelled object the sensor sees at the time shown. */
+function hitsOn(state, object) {
+  const i = object.at(state.frame);
+  if (i < 0) return "It is not there at this time.";
+  const sensor = state.run.sensorAt(state.frame);
+  const range = Math.hypot(object.x[i] - sensor[0], object.y[i] - sensor[1]);
+  const hits = object.points[i] < 0 ? "" : `, with ${object.points[i]} LADAR hits on it`;
+  return `At this time it is ${range.toFixed(0)} m away${hits}` +
+      (object.counts[i] ? "." : ": it does not count.");
 }
 
 /** The row of the frame shown. */
