@@ -10,14 +10,16 @@ function startDetails(panel, state, store) {
     panel.hidden = !track && !object;
     shown = {};
     if (track) shown = fillTrack(panel, state, track);
-    else if (object) fillObject(panel, state, object);
   };
   const update = () => {
     const track = state.run.byId.get(state.track);
+    const object = state.run.objects[state.object];
+    if (!track && object) fillObject(panel, state, object);
     if (!track || !shown.facts) return;
     shown.facts.innerHTML = factsOf(state, track);
     for (const chart of shown.charts) chart.moveTo(state.run.times[state.frame]);
     drawCloseUp(shown.closeUp, state, store, track);
+    showSurface(shown.surface, state, track);
   };
   state.onChange((changed) => {
     if (changed.has("track") || changed.has("object")) fill();
@@ -28,6 +30,15 @@ function startDetails(panel, state, store) {
   fill();
   update();
   return update;
+}
+
+/** Only where the track is measured: without, there is no filter. */
+function showSurface(canvas, state, track) {
+  const i = track.at(state.frame);
+  const box = i < 0 ? null : track.measuredBox(i);
+  canvas.hidden = !box || !state.layers.filter;
+  if (canvas.hidden) return;
+  drawSurface(canvas, filterRegions(state.run.filter, box, state.run.sensorAt(state.frame)));
 }
 
 function heading(state, text) {
@@ -57,9 +68,12 @@ function fillTrack(panel, state, track) {
   const charts = chartsOf(state, track);
   grid.append(...charts);
   const title = `Track #${track.id}: ${whatIs(state.run, track)}`;
-  panel.replaceChildren(heading(state, title), facts, closeUp, key, grid);
+  const surface = document.createElement("canvas");
+  surface.id = "surface";
+  surface.title = "The matched filter as a surface over the plane (Figs. 4 and 5)";
+  panel.replaceChildren(heading(state, title), facts, closeUp, surface, key, grid);
   panel.scrollTop = 0;
-  return {facts, closeUp, charts};
+  return {facts, closeUp, surface, charts};
 }
 
 function fillObject(panel, state, object) {
@@ -71,7 +85,7 @@ function fillObject(panel, state, object) {
       .filter((id) => id !== undefined));
   const text = document.createElement("p");
   text.textContent = `Labelled ${object.class}, there ${spanOf(run, object)}. It counts in ${
-      counted.length} frames; a track is on it in ${found} of them.`;
+      counted.length} frames; a track is on it in ${found} of them. ${hitsOn(state, object)}`;
   panel.replaceChildren(heading(state, nameOfObject(object)), text);
   for (const id of tracks) {
     const button = document.createElement("button");
@@ -87,6 +101,17 @@ function fillObject(panel, state, object) {
 /** "from 1.0 s to 3.5 s" */
 function spanOf(run, life) {
   return `from ${run.times[life.first].toFixed(1)} s to ${run.times[life.last].toFixed(1)} s`;
+}
+
+/** What of a labelled object the sensor sees at the time shown. */
+function hitsOn(state, object) {
+  const i = object.at(state.frame);
+  if (i < 0) return "It is not there at this time.";
+  const sensor = state.run.sensorAt(state.frame);
+  const range = Math.hypot(object.x[i] - sensor[0], object.y[i] - sensor[1]);
+  const hits = object.points[i] < 0 ? "" : `, with ${object.points[i]} LADAR hits on it`;
+  return `At this time it is ${range.toFixed(0)} m away${hits}` +
+      (object.counts[i] ? "." : ": it does not count.");
 }
 
 /** The row of the frame shown. */

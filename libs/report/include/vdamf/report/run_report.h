@@ -20,8 +20,8 @@ namespace vdamf
 {
 struct RunReportOptions
 {
-    GroundOptions ground;             ///< as in the run: which hits are shown as ground,
-    ClusterOptions clustering;        ///< and which as one cluster
+    GroundOptions ground;              ///< as in the run: which hits are shown as ground,
+    ClusterOptions clustering;         ///< and which as one cluster
     std::size_t hitsPerFrame = 14000;  ///< shown at most, about 60 kB of page a frame
 };
 
