@@ -40,6 +40,7 @@ void placeNumbers(KeyAxis& axis)
 // Words have no places of their own; the label says which is which.
 void placeWords(KeyAxis& axis)
 {
+    axis.areWords = true;
     std::string words;
     for (std::size_t i = 0; i < axis.values.size(); ++i)
     {

@@ -17,6 +17,7 @@ struct KeyAxis
     std::vector<double> places;          ///< of these: the numbers, or 1, 2, 3 for words
     std::vector<std::size_t> ofSetting;  ///< index in `values` by setting
     Axis axis;
+    bool areWords = false;
 };
 
 KeyAxis keyAxis(const SweepResults& results, std::size_t key);

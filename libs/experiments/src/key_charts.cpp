@@ -32,7 +32,8 @@ bool isKnown(const SweepRow& row, std::size_t metric)
 
 std::string nameOf(const SweepResults& results, std::size_t recording)
 {
-    return results.recordings.size() <= kMostNamed ? results.recordings[recording] : "";
+    const std::size_t count = results.recordings.size();
+    return count > 1 && count <= kMostNamed ? results.recordings[recording] : "";
 }
 
 // By recording, then by the key's value.
@@ -50,7 +51,9 @@ std::vector<std::vector<Mean>> meansOf(const SweepResults& results, std::size_t 
 void addMeans(const SweepResults& results, std::size_t metric, const KeyAxis& axis, Chart& chart)
 {
     const auto means = meansOf(results, metric, axis);
-    Curve middle{means.size() > 1 ? "mean" : "", CurveStyle::Line, {}};
+    // There is nothing between words that a line could pass through.
+    const CurveStyle style = axis.areWords ? CurveStyle::Points : CurveStyle::Line;
+    Curve middle{means.size() > 1 ? "mean" : "", style, {}};
     for (std::size_t v = 0; v < axis.values.size(); ++v)
     {
         Mean mean;

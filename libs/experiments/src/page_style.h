@@ -29,6 +29,7 @@ svg{max-width:100%;height:auto;font:12px system-ui,sans-serif;fill:currentColor}
 table{border-collapse:collapse;width:100%;font-size:13px;font-variant-numeric:tabular-nums}
 th,td{padding:5px 10px;text-align:right;white-space:nowrap;border-bottom:1px solid var(--line)}
 th.text,td.text{text-align:left}
+th{white-space:normal;vertical-align:bottom}
 thead th{position:sticky;top:0;background:var(--card);cursor:pointer;user-select:none}
 thead th[aria-sort]{color:var(--accent)}
 th[aria-sort=ascending]::after{content:" \25B2"}th[aria-sort=descending]::after{content:" \25BC"}

@@ -8,9 +8,16 @@ namespace vdamf
 {
 namespace
 {
+// Long names may break behind their dots and underscores.
 std::string head(const std::string& name, bool isText = false)
 {
-    return (isText ? "<th class=\"text\">" : "<th>") + escapedHtml(name) + "</th>";
+    std::string text;
+    for (const char c : escapedHtml(name))
+    {
+        text += c;
+        if (c == '.' || c == '_') text += "<wbr>";
+    }
+    return (isText ? "<th class=\"text\">" : "<th>") + text + "</th>";
 }
 
 std::string textCell(const std::string& text, const std::string& more = "")

@@ -118,8 +118,8 @@ std::string sweepPage(const SweepResults& results, const std::string& title)
            name + " \u2013 sweep</title>\n<style>" + kPageStyle +
            "</style>\n</head>\n<body>\n<h1>" + name + "</h1>\n" + overview(results) +
            "<h2>One key at a time</h2>\n" +
-           "<p>Points: recordings, each with its mean over all other keys. Line: mean of the "
-           "recordings.</p>\n" +
+           "<p>Points: recordings, each with its mean over all other keys, or runs where each "
+           "setting has a value of its own. Line: mean of the recordings.</p>\n" +
            metricChoice(results) + keyCharts(results) + heatMaps(results) + pareto(results) +
            "<h2>Settings</h2>\n<p>Means over the recordings. A dash: a run failed, or its metric "
            "is not known. Click a heading to sort.</p>\n" +

@@ -33,8 +33,9 @@ struct SweptKey
 ///     log 0.01 : 1 : 5      five numbers from 0.01 to 1 with equal ratios
 ///     log 0.01 : 1          any number between, equal ratios alike
 ///
-/// Numbers have at most 10 significant digits, those of log ranges 4. Throws std::runtime_error that says what is wrong: a
-/// part that is no number, an empty range, a value that stands twice, too many values.
+/// Numbers have at most 10 significant digits, those of log ranges 4. Throws std::runtime_error
+/// that says what is wrong: a part that is no number, an empty range, a value that stands twice,
+/// too many values.
 SweptKey parseSweptKey(const std::string& name, std::string_view text, int line);
 
 /// The number of the interval at a place from 0 to 1, as in the configuration: with 6 significant
