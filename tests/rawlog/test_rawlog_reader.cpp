@@ -2,9 +2,7 @@
 #include "vdamf/rawlog/rawlog_reader.h"
 
 #include <gtest/gtest.h>
-#include <mrpt/obs/CActionCollection.h>
 #include <mrpt/obs/CObservationOdometry.h>
-#include <mrpt/obs/CRawlog.h>
 #include <mrpt/obs/CSensoryFrame.h>
 
 #include <random>
@@ -260,26 +258,6 @@ TEST_F(RawlogReaderTest, SaysWhyAFileIsNoRawlog)
     EXPECT_TRUE(has(errorFor(std::string("\x1f\x8b\x08\0garbage garbage", 19)), "damaged"));
     EXPECT_TRUE(has(errorOf([&] { RawlogReader reader(at("none")); }), "No such file"));
     EXPECT_TRUE(has(errorOf([&] { RawlogReader reader(at("")); }), "folder"));
-}
-
-TEST_F(RawlogReaderTest, OpensARawlogThatStandsAsOneObject)
-{
-    mrpt::obs::CRawlog rawlog;
-    for (int i = 0; i < 5; ++i)
-        rawlog.insert(mrpt::obs::CObservationOdometry::Create(test::odometry(i)));
-    mrpt::obs::CActionCollection actions;
-    rawlog.insert(actions);
-    const std::string bytes = serialized(rawlog) + serialized(test::odometry(5));
-    RawlogReader reader(make("whole.rawlog", bytes));
-    const auto entries = test::entriesOf(reader);
-    EXPECT_TRUE(bytes == test::concatenated(entries));
-    int read = 0;
-    for (const RawlogEntry& entry : entries)
-        if (std::dynamic_pointer_cast<mrpt::obs::CObservationOdometry>(entry.object)) ++read;
-    EXPECT_EQ(read, 6);
-    EXPECT_EQ(reader.summary().objects, 8U);  // with the actions and the comment
-    EXPECT_EQ(reader.summary().damaged, 0U);
-    EXPECT_FALSE(reader.summary().truncated);
 }
 
 TEST_F(RawlogReaderTest, KeepsTheFirstProblemsOnly)
