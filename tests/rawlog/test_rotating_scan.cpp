@@ -115,6 +115,25 @@ TEST(RotatingScan, OfOneRowIsALine)
     EXPECT_EQ(0.0, durationOf(image));
 }
 
+TEST(RotatingScan, FurtherLayersAreFurtherReturns)
+{
+    CObservationRotatingScan image;
+    image.timestamp = mrpt::Clock::fromDouble(1.5e9);
+    image.rangeResolution = 0.01;
+    image.rangeImage.setZero(1, 5);
+    for (int i = 0; i < 5; ++i) image.rangeImage(0, i) = static_cast<std::uint16_t>(1000 + i);
+    auto& last = image.rangeOtherLayers["LAST"];
+    last = image.rangeImage;
+    last(0, 2) = 2000;  // the others are the same returns
+    last(0, 3) = 0;
+    image.rangeOtherLayers["BROKEN"].setZero(2, 5);
+    const auto scan = scanFrom(image);
+    ASSERT_EQ(scan->points.size(), 6U);
+    EXPECT_NEAR(std::hypot(scan->points.x[5], scan->points.y[5]), 20.0, 1e-4);
+    EXPECT_NEAR(std::atan2(scan->points.y[5], scan->points.x[5]),
+                std::atan2(scan->points.y[2], scan->points.x[2]), 1e-6);
+}
+
 TEST(RotatingScan, SaysWhatItCannotRead)
 {
     CObservationRotatingScan image;

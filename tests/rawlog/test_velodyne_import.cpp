@@ -11,7 +11,6 @@
 #include "../files/temporary_folder.h"
 #include "example_capture.h"
 #include "example_objects.h"
-#include "sample_rawlogs.h"
 
 namespace vdamf
 {
@@ -272,34 +271,6 @@ TEST_F(VelodyneImportTest, StopsOnRequest)
     job_.output.progress = [](std::size_t scans, double) { return scans < 2; };
     EXPECT_TRUE(import(capture).stopped);
     EXPECT_FALSE(std::filesystem::exists(at("o.rawlog")));
-}
-
-class SampleCaptures : public TemporaryFolder
-{
-};
-
-TEST_F(SampleCaptures, GiveAllTheirReturns)
-{
-    struct Expected
-    {
-        const char* file;
-        std::size_t packets, positions, scans, points, gps;
-    };
-    for (const Expected& expected :
-         {Expected{"sample_velodyne_hdl32.pcap", 500, 0, 3, 146705, 0},
-          Expected{"sample_velodyne_vlp16_gps.pcap", 293, 57, 5, 73486, 1}})
-    {
-        VelodyneImport job;
-        job.capture = test::sampleRawlog(expected.file);
-        if (job.capture.empty()) GTEST_SKIP() << test::whereSamplesAre();
-        job.output.rawlog = at(expected.file);
-        const VelodyneImportSummary summary = importVelodyne(job);
-        EXPECT_EQ(summary.capture.data, expected.packets);
-        EXPECT_EQ(summary.capture.positions, expected.positions);
-        EXPECT_EQ(summary.scans, expected.scans);
-        EXPECT_EQ(summary.points, expected.points);
-        EXPECT_EQ(summary.gps, expected.gps);
-    }
 }
 
 }  // namespace

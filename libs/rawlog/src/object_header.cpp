@@ -135,6 +135,12 @@ bool isAction(const std::string& className)
                              id->derivedFrom(CLASS_ID(mrpt::obs::CActionCollection)));
 }
 
+bool isRawlogObject(const std::string& className)
+{
+    const ClassId* id = readableClass(className);
+    return id != nullptr && id->derivedFrom(CLASS_ID(mrpt::obs::CRawlog));
+}
+
 bool isActionCollection(const std::string& className)
 {
     const ClassId* id = readableClass(className);

@@ -41,5 +41,7 @@ bool mayFollowEntry(std::string_view bytes);
 /// An action or a collection of them.
 bool isAction(const std::string& className);
 bool isActionCollection(const std::string& className);
+/// A rawlog as one object.
+bool isRawlogObject(const std::string& className);
 
 }  // namespace vdamf

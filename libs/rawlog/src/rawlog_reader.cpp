@@ -75,7 +75,8 @@ struct RawlogReader::Impl
 
     EntryWindow window;
     RawlogSummary summary;
-    bool inGap = false;  // the last entry ended where the bytes of nothing go on
+    int openWrappers = 0;  // rawlog objects whose end has not been met
+    bool inGap = false;    // the last entry ended where the bytes of nothing go on
     std::uint64_t gapBytes = 0;
     std::string endsInside;  // what the stream ended in, if the last entry is no object
 
@@ -144,6 +145,8 @@ struct RawlogReader::Impl
             case RawlogEntry::Kind::Action:
                 ++summary.objects;
                 return;
+            case RawlogEntry::Kind::Wrapper:
+                return;
             case RawlogEntry::Kind::Null:
                 ++summary.nulls;
                 return;
@@ -163,11 +166,17 @@ struct RawlogReader::Impl
     {
         window.require(kLongestHeader);
         const auto header = parseObjectHeader(window.loaded());
+        if (!header && openWrappers > 0 && window.loaded().front() == kEndFlag)
+        {
+            --openWrappers;
+            return take(RawlogEntry::Kind::Wrapper, 1);
+        }
         if (!header && isCutHeader(window.loaded())) endsInside = "the header of an object";
         if (inGap || !header) return skip(RawlogEntry::Kind::Damaged, "not the begin of an object");
         if (header->isNull()) return readNull(*header);
         if (!isReadableClass(header->className)) return readUnknown(*header);
         if (isAction(header->className)) return readAction(*header);
+        if (isRawlogObject(header->className)) return readWrapper(*header);
         const ParsedObject parsed = parseObject(window);
         if (!parsed.object) return skipUnreadable(*header, parsed);
         RawlogEntry entry = take(RawlogEntry::Kind::Object, parsed.bytes);
@@ -186,6 +195,21 @@ struct RawlogReader::Impl
         }
         if (extent.reachedEnd) endsInside = header.className;
         return skip(RawlogEntry::Kind::Damaged, header.className + ": without its end");
+    }
+
+    /// The objects inside are read as if they stood alone: MRPT would read them all at once, and
+    /// the actions among them by its own parser.
+    RawlogEntry readWrapper(const ObjectHeader& header)
+    {
+        constexpr std::size_t kCountBytes = 4;
+        const std::size_t bytes = header.bytes + kCountBytes;
+        if (!window.require(bytes))
+        {
+            endsInside = header.className;
+            return skip(RawlogEntry::Kind::Damaged, header.className + ": without its end");
+        }
+        ++openWrappers;
+        return take(RawlogEntry::Kind::Wrapper, bytes);
     }
 
     RawlogEntry readUnknown(const ObjectHeader& header)

@@ -43,7 +43,9 @@ void TrackOutputs::copy(const PendingEntry& entry)
         else
             held_ += bytes;
     };
-    if (entry.entry.kind != RawlogEntry::Kind::Damaged) take(entry.entry.bytes);
+    const RawlogEntry::Kind kind = entry.entry.kind;
+    if (kind != RawlogEntry::Kind::Damaged && kind != RawlogEntry::Kind::Wrapper)
+        take(entry.entry.bytes);
     for (const PendingScan& scan : entry.scans) take(scan.annotations);
     if (headWritten_ && entry.time) endMemberAt(*entry.time);
 }

@@ -24,7 +24,8 @@ public:
     /// The frame's rows, and the annotations that go behind its scan.
     void annotate(PendingScan& scan, const FrameResult& result);
     /// The entry's bytes and, right behind them, what its scans led to. Damaged bytes are left
-    /// out: behind them stock tools would stop reading.
+    /// out: behind them stock tools would stop reading. So are the head and tail of a rawlog that
+    /// stands as one object, which say how many entries it has.
     void copy(const PendingEntry& entry);
 
     bool hasHead() const { return !writer_ || headWritten_; }

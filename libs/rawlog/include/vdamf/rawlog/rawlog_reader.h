@@ -24,6 +24,7 @@ struct RawlogEntry
         Null,     ///< a null object
         Unknown,  ///< a class that this MRPT does not know, or bytes up to the next known object
         Damaged,  ///< an object that could not be read, with the bytes up to the next known object
+        Wrapper,  ///< head or tail of a whole rawlog object: what it holds are entries between them
         Action    ///< an action or a collection of them, whole but not parsed: a corrupt one can
                   ///< crash MRPT's parser
     };
