@@ -14,5 +14,7 @@ using Corpus = std::map<std::string, std::string>;
 Corpus rawlogCorpus();
 /// truth, tracks, evaluate, clusters, configuration, assignment and the files of KITTI.
 Corpus textCorpus();
+/// capture, pcd, ply, poses and annotations.
+Corpus importCorpus();
 
 }  // namespace vdamf::fuzz

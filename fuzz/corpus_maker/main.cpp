@@ -31,7 +31,8 @@ int main(int argc, char** argv)
     try
     {
         const std::filesystem::path folder(argv[1]);
-        for (const auto& corpus : {vdamf::fuzz::rawlogCorpus(), vdamf::fuzz::textCorpus()})
+        for (const auto& corpus :
+             {vdamf::fuzz::rawlogCorpus(), vdamf::fuzz::textCorpus(), vdamf::fuzz::importCorpus()})
             for (const auto& [name, bytes] : corpus) write(folder / name, bytes);
         return 0;
     }

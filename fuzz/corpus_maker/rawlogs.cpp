@@ -19,8 +19,8 @@
 #include <functional>
 
 #include "corpus.h"
-#include "gz_member.h"
 #include "street.h"
+#include "vdamf/files/gz_member.h"
 #include "vdamf/rawlog/rawlog_writer.h"
 #include "vdamf/rawlog/velodyne_packets.h"
 

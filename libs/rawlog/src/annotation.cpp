@@ -121,8 +121,7 @@ void Annotator::extendTrails(const FrameResult& frame)
             continue;
         }
         auto& trail = trails_[track.id];
-        trail.push_back({frame.time, static_cast<float>(track.box.x),
-                         static_cast<float>(track.box.y), static_cast<float>(track.z)});
+        trail.push_back({frame.time, track.box.x, track.box.y, track.z});
         while (trail.front().time < frame.time - options_.trail) trail.pop_front();
     }
 }

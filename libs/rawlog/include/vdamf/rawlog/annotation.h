@@ -45,7 +45,7 @@ private:
     struct TrailPoint
     {
         double time;
-        float x, y, z;
+        double x, y, z;  // in the world: single precision ends some kilometres from its origin
     };
 
     mrpt::obs::CObservation::Ptr table(const FrameResult& frame) const;
