@@ -62,10 +62,11 @@ Eigen::Matrix<double, 1, 5> faceRow(const OrientedBox& box, Face face)
     return row;
 }
 
-// Squared error of heading and faces seen, normalised by the fit's own covariance.
-void setNees(CaseErrors& errors, const Measurement& m, const OrientedBox& truth)
+// Squared error of heading and faces seen, normalised by the fit's own covariance and what is known
+// of the errors of the true box.
+void setNees(CaseErrors& errors, const Measurement& m, const Sample& sample)
 {
-    const OrientedBox aligned = alignedTo(truth, m.box.heading);
+    const OrientedBox aligned = alignedTo(sample.truth, m.box.heading);
     Eigen::Matrix<double, 5, 5> map = Eigen::Matrix<double, 5, 5>::Zero();
     Vector5d error = Vector5d::Zero();
     map(0, 2) = 1.0;
@@ -79,7 +80,9 @@ void setNees(CaseErrors& errors, const Measurement& m, const OrientedBox& truth)
     }
     if (n == 1) return;
     const auto rows = map.topRows(n);
-    const Eigen::MatrixXd covariance = rows * m.covariance * rows.transpose();
+    Eigen::MatrixXd covariance = rows * m.covariance * rows.transpose();
+    covariance(0, 0) += sample.truthHeading * sample.truthHeading;
+    for (int k = 1; k < n; ++k) covariance(k, k) += sample.truthPlace * sample.truthPlace;
     const Eigen::LDLT<Eigen::MatrixXd> factors(covariance);
     errors.nees = error.head(n).dot(factors.solve(error.head(n)));
     errors.neesDimension = n;
@@ -145,7 +148,7 @@ CaseErrors errorsOf(const Estimate& estimate, const Sample& sample)
     if (estimate.measurement)
     {
         errors.failed = !estimate.measurement->converged;
-        setNees(errors, *estimate.measurement, sample.truth);
+        setNees(errors, *estimate.measurement, sample);
     }
     return errors;
 }

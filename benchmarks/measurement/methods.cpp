@@ -33,7 +33,7 @@ Method fitOf(const std::string& name, const MeasureOptions& options, From from)
         std::optional<Eigen::Vector2d> known;
         if (from == From::StartAndSizes) known.emplace(start.length, start.width);
         MeasureOptions own = options;
-        own.rangeNoise = sample.rangeNoise;
+        if (own.rangeNoise > 0.0) own.rangeNoise = sample.rangeNoise;
         if (!sample.isBody) own.bodyDepth = 0.0;
         const Measurement m = measureTarget(hits, sample.sensor, start, own, known);
         return Estimate{m.box, m};
@@ -76,10 +76,14 @@ std::vector<Method> allMethods(const MeasureOptions& options)
             add(name, own, from);
         }
         if (from == From::StartAndSizes) continue;
+        MeasureOptions untold = options;
+        untold.rangeNoise = 0.0;
+        add("noise_untold", untold, from);
         for (const auto& [optimizer, name] : EnumNames<Optimizer>::names())
         {
             if (optimizer == options.fit.optimizer) continue;
             MeasureOptions own = options;
+            own.filter = FilterKind::Paper;
             own.fit.optimizer = optimizer;
             add(name, own, from);
         }

@@ -25,9 +25,10 @@ struct Method
     std::function<Estimate(const Sample&)> estimate;
 };
 
-/// Our fits: every filter, and the filter of `options` with every other optimizer; each from the
-/// sample's start ("+start") and from startBox() alone. The rows "+sizes" are told the start's
-/// length and width as known sizes, too. Then the baselines.
+/// Our fits: every filter, and Table 1 with every other optimizer, to compare with `paper`; each
+/// from the sample's start ("+start") and from startBox() alone. The rows "+sizes" are told the
+/// start's length and width as known sizes, too; "noise_untold" has to estimate the range noise.
+/// Then the baselines.
 std::vector<Method> allMethods(const MeasureOptions& options);
 
 }  // namespace vdamf

@@ -19,6 +19,9 @@ namespace fs = std::filesystem;
 constexpr std::size_t kLeastHits = 10;  // as in the tracker
 constexpr double kGrown = 0.3;          // m
 constexpr double kRangeNoise = 0.02;    // m, of the HDL-64E
+// Of labels drawn by hand every few frames.
+constexpr double kLabelPlace = 0.06;                 // m
+constexpr double kLabelHeading = 1.0 * kPi / 180.0;  // rad
 
 // Both samples of one label; their clusters may be too small.
 struct LabelSamples
@@ -118,6 +121,8 @@ void complete(Condition& condition, int count, std::uint64_t seed)
     {
         Sample& sample = samples[k];
         sample.rangeNoise = kRangeNoise;
+        sample.truthPlace = kLabelPlace;
+        sample.truthHeading = kLabelHeading;
         sample.start = perturbed(sample.truth, seed, k);
         sample.inView = facesInView(sample.cluster, sample.truth, sample.sensor);
     }

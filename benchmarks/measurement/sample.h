@@ -21,6 +21,8 @@ struct Sample
     OrientedBox start;         ///< the true box, perturbed: what a track would predict
     bool isBody = true;        ///< not upright walls
     double rangeNoise = 0.02;  ///< standard deviation of the sensor's ranges, m
+    double truthPlace = 0.0;   ///< and of the errors of the true box: of the place of a face, m ...
+    double truthHeading = 0.0;  ///< ... and of its heading, rad
 };
 
 /// Samples of one kind.

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "measurement/columns.h"
+#include "measurement/overview.h"
 #include "vdamf/files/numbers.h"
 
 namespace vdamf
@@ -122,7 +123,11 @@ std::string legend()
            "2 cm on bodies and drives)\n"
            "and whether upright walls or bodies are in view (body_depth_m 0 or its default); "
            "+start: from a start with errors\n"
-           "of 0.3 m in x, y, length, width and of 8 deg; others from the hits alone\n";
+           "of 0.3 m in x, y, length, width and of 8 deg; others from the hits alone. nlopt_*: "
+           "Table "
+           "1 alone, as `paper`.\n"
+           "NEES on the drives: with 6 cm and 1 deg for the errors of the labels. Times: of one "
+           "thread on a processor\n";
 }
 
 std::string toCsv(const std::vector<Summary>& rows)
@@ -175,6 +180,7 @@ std::string timingCsv(const Timing& timing)
 std::string markdownPage(const std::vector<Summary>& rows, const Timing& timing)
 {
     std::string page = "## Measurement: fits and baselines\n\n```\n" + legend() + "```\n";
+    page += overview(rows);
     std::string condition;
     for (const Summary& row : rows)
     {

@@ -9,6 +9,8 @@
 
 #include "matched_filter/body_profile.h"
 #include "matched_filter/corner_check.h"
+#include "matched_filter/insets.h"
+#include "matched_filter/range_noise.h"
 #include "tracking/matched_filter/example_hits.h"
 
 namespace vdamf
@@ -92,16 +94,61 @@ TEST(Hull, OfWallsIsWhereTheHitsAre)
     noisy.noise = 0.05;
     // Gaussian hits: the line that weighs those inside less lies 0.48 sigma outwards.
     const LineState line{0.0, 0.9 + 0.481 * 0.05, 0.05};
-    const Hull hull = hullOf(departureOf(noisy, line), noisy, line.sigma, {});
+    const Hull hull = hullOf(departureOf(noisy, line), noisy, line, {});
     EXPECT_NEAR(line.place + hull.outwards, 0.9, 0.01);
     EXPECT_LT(hull.error, 0.01);
     // The same scatter of a quiet sensor is the body's own.
-    const Hull body = hullOf(departureOf(face, line), face, line.sigma, {0, Face::Left, 0.06});
+    const Hull body = hullOf(departureOf(face, line), face, line, {0, Face::Left, 0.06});
     EXPECT_GT(line.place + body.outwards, 0.93);
     EXPECT_GT(body.error, hull.error);
 }
 
+// A face whose hits scatter on both sides of it, or lie inside of it up to a depth.
+NearFaces wallOrBody(double noise, double depth)
+{
+    std::mt19937 generator(11);
+    std::normal_distribution<double> gauss;
+    std::uniform_real_distribution<double> uniform(0.0, 1.0);
+    NearFaces faces;
+    faces[1].noise = 1.0;  // seen straight on
+    for (int i = 0; i < 200; ++i)
+    {
+        const double u = uniform(generator);
+        const double inside = depth * u * u * u;
+        faces[1].hits.add(noise * gauss(generator) - inside, 4.0 * u - 2.0, 1.0, 0.0);
+    }
+    return faces;
+}
+
+TEST(RangeNoise, IsWhatScattersOnBothSides)
+{
+    for (const double noise : {0.02, 0.05, 0.1})
+    {
+        // The line that weighs those inside less lies 0.48 sigma outwards.
+        const LineState line{0.0, 0.481 * noise, noise};
+        const double estimated = estimatedRangeNoise(wallOrBody(noise, 0.0), line, line);
+        EXPECT_NEAR(estimated, noise, 0.2 * noise);
+    }
+    const LineState line{0.0, 0.0, 0.1};
+    EXPECT_LT(estimatedRangeNoise(wallOrBody(0.01, 0.4), line, line), 0.025);
+}
+
 const OrientedBox kCar{15.0, 5.0, 0.9, 4.5, 1.8};
+
+TEST(Insets, MoveTheFacesSeenInwardsAndNoOthers)
+{
+    const OrientedBox box{20.0, 0.0, 0.0, 4.5, 1.8};  // shows its back to the sensor
+    FaceSet back;
+    back.add(Face::Back);
+    const OrientedBox inner = withInsets(box, back, Eigen::Vector2d::Zero());
+    EXPECT_NEAR((inner.x - 0.5 * inner.length) - (box.x - 0.5 * box.length), 0.32, 1e-9);
+    EXPECT_NEAR(inner.width, box.width, 1e-12);
+    EXPECT_NEAR(inner.y, box.y, 1e-12);
+    EXPECT_NEAR(inner.heading, box.heading, 1e-12);
+    const OrientedBox same = withInsets(box, {}, Eigen::Vector2d::Zero());
+    EXPECT_NEAR((same.centre() - box.centre()).norm(), 0.0, 1e-12);
+    EXPECT_EQ(same.length, box.length);
+}
 
 FaceSet backAndLeft()
 {

@@ -37,6 +37,10 @@ constexpr double kEndRoughness = 0.05;  // m
 // A far end is out of view where it turns round: it lies so many times the near faces' shape beyond
 // the last hit.
 constexpr double kRoundEnd = 2.0;
+// What bodies have beyond that where a row has few hits, in units of a sill's depth (body_depth_m).
+constexpr double kFarEnd = 4.0;
+constexpr double kFarSide = 1.3;
+constexpr double kFewInRow = 20.0;  // hits
 
 // The end of a row of hits, of which the filter said `fitted`: half a gap behind the last of them;
 // nothing for a row too short.
@@ -72,10 +76,12 @@ class FaceBoxBuilder
 {
 public:
     FaceBoxBuilder(const Hits& hits, const OrientedBox& fitted, FaceSet seen,
-                   const Eigen::Vector2d& sensor, const FaceLines& lines)
+                   const Eigen::Vector2d& sensor, const FaceLines& lines,
+                   const MeasureOptions& options)
         : hits_(hits),
           turned_(fitted),
           lines_(lines),
+          options_(options),
           half_{0.5 * fitted.length, 0.5 * fitted.width},
           seen_{seen.seesEnd(), seen.seesSide()}
     {
@@ -88,12 +94,13 @@ public:
             inBox_[i] = toBox * (Eigen::Vector2d(hits.x[i], hits.y[i]) - turned_.centre());
     }
 
-    FaceBox build(double unseenSigma, const FitOptions& limits) const
+    FaceBox build() const
     {
+        const FitOptions& limits = options_.fit;
         Faces faces;
         for (std::size_t axis = 0; axis < 2; ++axis)
             for (std::size_t end = 0; end < 2; ++end)
-                faces[axis][end] = placeOf(axis, end == 0 ? -1.0 : 1.0, unseenSigma);
+                faces[axis][end] = placeOf(axis, end == 0 ? -1.0 : 1.0);
         limit(faces[0], nearSign_[0], limits.minLength, limits.maxLength);
         limit(faces[1], nearSign_[1], limits.minWidth, limits.maxWidth);
         return boxOf(faces);
@@ -118,8 +125,9 @@ private:
         return line(axis).exists ? line(axis).at : nearSign_[axis] * half_[axis];
     }
 
-    FacePlace placeOf(std::size_t axis, double sign, double unseenSigma) const
+    FacePlace placeOf(std::size_t axis, double sign) const
     {
+        const double unseenSigma = options_.hiddenFaceSigma;
         FacePlace place{sign * half_[axis], unseenSigma * unseenSigma, false, false};
         if (sign == nearSign_[axis] && line(axis).exists)
         {
@@ -128,10 +136,25 @@ private:
         else if (seen_[1 - axis])
         {
             const double shape = std::max(line(0).shape, line(1).shape);
-            if (const auto end = rowEnd(rowAlong(axis, sign), half_[axis], sign, shape))
+            const std::vector<RowHit> row = rowAlong(axis, sign);
+            const double reach = sign == nearSign_[axis] ? 0.0 : farReach(axis, row);
+            if (const auto end = rowEnd(row, half_[axis], sign, shape))
+            {
                 place = *end;
+                place.at += sign * reach;
+                place.variance += reach * reach;
+            }
         }
         return place;
+    }
+
+    // How far a body goes on behind the last hit of a row: by simulated and labelled vehicles.
+    double farReach(std::size_t axis, const std::vector<RowHit>& row) const
+    {
+        const double depths = axis == 0 ? kFarEnd : kFarSide;
+        double count = 0.0;
+        for (const RowHit& hit : row) count += hit.weight;
+        return depths * options_.bodyDepth * kFewInRow / (kFewInRow + count);
     }
 
     // Hits on the near face that runs along `axis`, outwards by `sign`.
@@ -190,6 +213,7 @@ private:
     const Hits& hits_;
     OrientedBox turned_;
     const FaceLines& lines_;
+    const MeasureOptions& options_;
     std::array<double, 2> half_;
     std::array<bool, 2> seen_;
     std::array<double, 2> nearSign_{};
@@ -198,10 +222,10 @@ private:
 }  // namespace
 
 FaceBox boxFromFaces(const Hits& hits, const OrientedBox& fitted, FaceSet seen,
-                     const Eigen::Vector2d& sensor, const FaceLines& lines, double unseenSigma,
-                     const FitOptions& limits)
+                     const Eigen::Vector2d& sensor, const FaceLines& lines,
+                     const MeasureOptions& options)
 {
-    return FaceBoxBuilder(hits, fitted, seen, sensor, lines).build(unseenSigma, limits);
+    return FaceBoxBuilder(hits, fitted, seen, sensor, lines, options).build();
 }
 
 }  // namespace vdamf

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "matched_filter/face_lines.h"
-#include "vdamf/tracking/matched_filter/fit.h"
+#include "vdamf/tracking/matched_filter/measure.h"
 #include "vdamf/tracking/types/track.h"
 
 namespace vdamf
@@ -16,10 +16,12 @@ struct FaceBox
 };
 
 /// The near faces where the lines say, the others where the rows of hits along the seen faces end.
-/// Faces that nothing shows stay where the fit put them and get a variance of `unseenSigma`^2 (m).
-/// Sizes out of the bounds of `limits` are brought back by moving the far face.
+/// Bodies (bodyDepth > 0) reach on round their far corners, out of view; the fewer hits there are
+/// in a row, the more of that is not seen. Faces that nothing shows stay where the fit put them and
+/// get a variance of hiddenFaceSigma^2. Sizes out of the bounds of the fit are brought back by
+/// moving the far face.
 FaceBox boxFromFaces(const Hits& hits, const OrientedBox& fitted, FaceSet seen,
-                     const Eigen::Vector2d& sensor, const FaceLines& lines, double unseenSigma,
-                     const FitOptions& limits);
+                     const Eigen::Vector2d& sensor, const FaceLines& lines,
+                     const MeasureOptions& options);
 
 }  // namespace vdamf

@@ -11,19 +11,13 @@ namespace vdamf
 {
 namespace
 {
-// Of Gaussian hits a line that weighs those inside of it by kInsideWeight lies kShift of their
-// standard deviation outwards; the hits outside of it have kOutside of their variance about it, and
-// those inside kInsideShare.
-constexpr double kShift = 0.481;
-constexpr double kOutside = 0.69;
-constexpr double kInsideShare = 1.48;
 // What departs outside of the line before any hit is seen counts as so many hits.
 constexpr double kPriorHits = 15.0;
 // Errors of the hull's place and direction in units of the departures on both sides, and their
 // floors (m, rad): by measurement on labelled and simulated vehicles (benchmarks/measurement).
 constexpr double kTaperError = 0.05;
 constexpr double kEndTaperError = 0.12;
-constexpr double kLeastError = 0.003;
+constexpr double kLeastError = 0.0025;
 constexpr double kTurnError = 0.4;
 constexpr double kTaperTurnError = 0.07;
 constexpr double kBodyTurnError = 0.003;
@@ -36,7 +30,8 @@ struct Excess
     double inside = 0.0;
 };
 
-Excess excessOf(const Departure& d, double noise, bool isBody, double prior)
+Excess excessOf(const Departure& d, double noise, const LineWeights& weights, bool isBody,
+                double prior)
 {
     const auto over = [noise](double square, double share, double count, double chances)
     {
@@ -45,10 +40,11 @@ Excess excessOf(const Departure& d, double noise, bool isBody, double prior)
     };
     Excess excess;
     if (d.countInside > 0.0)
-        excess.inside = over(d.inside, kInsideShare, std::max(1.0, d.countInside), 1.0);
+        excess.inside = over(d.inside, weights.insideShare, std::max(1.0, d.countInside), 1.0);
     // What chance may have made counts for little.
     const double count = std::max(1.0, d.countOutside);
-    if (d.countOutside > 0.0) excess.outside = over(d.outside, kOutside, count, isBody ? 0.0 : 1.0);
+    if (d.countOutside > 0.0)
+        excess.outside = over(d.outside, weights.outsideShare, count, isBody ? 0.0 : 1.0);
     const double chance = (isBody ? 1.0 : 2.0) * noise * noise * std::sqrt(2.0 / count);
     excess.outside *= excess.outside / (excess.outside + chance + 1e-12);
     if (!isBody) return excess;
@@ -84,14 +80,15 @@ Departure departureOf(const NearFace& face, const LineState& line)
             count[1], std::sqrt(12.0 * std::max(0.0, alongSquares / all - middle * middle))};
 }
 
-Hull hullOf(const Departure& departure, const NearFace& face, double sigma, const BodyPrior& body)
+Hull hullOf(const Departure& departure, const NearFace& face, const LineState& line,
+            const BodyPrior& body)
 {
     constexpr double kShortest = 0.5;  // m; shorter rows tell nothing of the direction
     const bool isBody = body.depth > 0.0;
     const BodyProfile profile = bodyProfile(body.face, body.heights);
     const Excess excess =
-        excessOf(departure, face.noise, isBody, body.depth * profile.usualDeparture);
-    const double byNoise = kShift * face.noise * std::min(1.0, face.noise / sigma);
+        excessOf(departure, face.noise, line.weights, isBody, body.depth * profile.usualDeparture);
+    const double byNoise = line.weights.shift * face.noise * std::min(1.0, face.noise / line.sigma);
     Hull hull;
     hull.shape = std::sqrt(excess.outside);
     hull.outwards = profile.toHull * hull.shape - byNoise + body.depth * profile.beyond;

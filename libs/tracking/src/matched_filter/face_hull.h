@@ -39,6 +39,7 @@ struct Hull
 /// more, the more they scatter; few hits tell little of that, and what is usual counts as well.
 /// Ends reach their full length at bumper height alone: where no hits are there, the face lies
 /// beyond what is seen of it. On plane walls nothing is added.
-Hull hullOf(const Departure& departure, const NearFace& face, double sigma, const BodyPrior& body);
+Hull hullOf(const Departure& departure, const NearFace& face, const LineState& line,
+            const BodyPrior& body);
 
 }  // namespace vdamf

@@ -8,13 +8,14 @@
 
 #include "matched_filter/face_hull.h"
 #include "matched_filter/near_faces.h"
+#include "matched_filter/range_noise.h"
 
 namespace vdamf
 {
 namespace
 {
-// Of Gaussian hits the line lies so far outwards, in units of their standard deviation.
-constexpr double kShift = 0.481;
+// Of LADARs, m.
+constexpr double kUsualNoise = 0.03;
 // A step this small ends the reweighting, m and rad.
 constexpr double kSettled = 5e-4;
 // The prior of the scale, twice the sensor's noise, counts as so many hits.
@@ -26,8 +27,9 @@ struct Lines
     Eigen::Vector3d q = Eigen::Vector3d::Zero();
     Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
     double sigma = 0.0;
+    LineWeights weights = kTowardsHull;
 
-    LineState state(int k) const { return {q(0), q(1 + k), sigma}; }
+    LineState state(int k) const { return {q(0), q(1 + k), sigma, weights}; }
 };
 
 // One step of reweighted least squares; whether it still moved something.
@@ -62,11 +64,27 @@ bool reweigh(const NearFaces& faces, double rangeNoise, Lines& lines)
     lines.information = information;
     // For Gaussian residuals the weights keep this share of the variance.
     constexpr double kKept = kLineTuning * kLineTuning / (1.0 + kLineTuning * kLineTuning);
+    const double shift = lines.weights.shift;
     const double next =
-        std::sqrt(squares / std::max(1.0, count - parameters) / kKept / (1.0 + kShift * kShift));
+        std::sqrt(squares / std::max(1.0, count - parameters) / kKept / (1.0 + shift * shift));
     const double before = lines.sigma;
     lines.sigma = std::clamp(next, 0.5 * before, 0.2);
     return step.cwiseAbs().maxCoeff() > kSettled || std::abs(lines.sigma - before) > 0.05 * before;
+}
+
+// Whether the hits scatter no more than the sensor's noise makes them.
+bool arePlanes(const NearFaces& faces, const Lines& lines)
+{
+    constexpr double kShareOfNoise = 0.6;
+    double noise = 0.0;
+    double hits = 0.0;
+    for (const NearFace& face : faces)
+    {
+        if (face.hits.empty()) continue;
+        noise += face.weight * face.noise * face.noise;
+        hits += face.weight;
+    }
+    return noise > kShareOfNoise * hits * lines.sigma * lines.sigma;
 }
 
 Face faceAt(int axis, double sign)
@@ -79,20 +97,31 @@ Face faceAt(int axis, double sign)
 std::optional<FaceLines> fitFaceLines(const Hits& hits, const OrientedBox& box, FaceSet seen,
                                       const Eigen::Vector2d& sensor, const FaceLineOptions& o)
 {
-    const NearFaces faces =
-        nearFaces(hits, box, seen, sensor, {o.gate, o.corner, o.rangeNoise, o.minHits});
+    const bool isTold = o.rangeNoise > 0.0;
+    double rangeNoise = isTold ? o.rangeNoise : kUsualNoise;
+    NearFaces faces = nearFaces(hits, box, seen, sensor,
+                                {o.gate, o.corner, isTold ? o.rangeNoise : 1.0, o.minHits});
     if (faces[0].hits.empty() && faces[1].hits.empty()) return std::nullopt;
     Lines lines;
     lines.q = {0.0, 0.5 * box.length, 0.5 * box.width};
     lines.sigma = o.sigma;
-    for (int i = 0; i < o.iterations && reweigh(faces, o.rangeNoise, lines);) ++i;
-
-    // B / A of the M-estimator with A the sum of the weights is 0.56 for Gaussian hits of known
-    // scale; by Monte Carlo, beside the least error.
-    constexpr double kEfficiency = 0.485;
+    for (int i = 0; i < o.iterations && reweigh(faces, rangeNoise, lines);) ++i;
+    if (!isTold)
+    {
+        rangeNoise = estimatedRangeNoise(faces, lines.state(0), lines.state(1));
+        for (NearFace& face : faces) face.noise *= rangeNoise;
+    }
+    if (o.tellPlanes && arePlanes(faces, lines))
+    {
+        constexpr int kMore = 3;
+        lines.weights = kThroughHits;
+        for (int i = 0; i < kMore && reweigh(faces, rangeNoise, lines);) ++i;
+    }
     FaceLines result;
+    result.rangeNoise = rangeNoise;
     result.turn = lines.q(0);
-    result.covariance = kEfficiency * lines.sigma * lines.sigma * lines.information.inverse();
+    result.covariance =
+        lines.weights.efficiency * lines.sigma * lines.sigma * lines.information.inverse();
     for (int k = 0; k < 2; ++k)
     {
         const NearFace& face = faces[static_cast<std::size_t>(k)];
@@ -104,7 +133,7 @@ std::optional<FaceLines> fitFaceLines(const Hits& hits, const OrientedBox& box, 
             continue;
         }
         const BodyPrior body{hits.heights, faceAt(k, face.sign), o.bodyDepth};
-        const Hull hull = hullOf(departureOf(face, lines.state(k)), face, lines.sigma, body);
+        const Hull hull = hullOf(departureOf(face, lines.state(k)), face, lines.state(k), body);
         line.exists = true;
         line.shape = hull.shape;
         line.outside = hull.outwards;

@@ -18,9 +18,10 @@ struct FaceLineOptions
     double sigma = 0.12;       ///< scale of the first weights, m
     int iterations = 6;        ///< of reweighting
     double corner = 0.25;      ///< along a face from the corner of both: bumpers are round there, m
-    double rangeNoise = 0.02;  ///< of the sensor, standard deviation, m
+    double rangeNoise = 0.02;  ///< of the sensor, standard deviation, m; 0: estimated
     double bodyDepth = 0.0;    ///< of a car's sill or nose behind its bumper, m; 0: walls
     double minHits = 4.0;      ///< on a face, for a line
+    bool tellPlanes = false;   ///< treat faces that scatter no more than the noise as planes
 };
 
 /// One of the two near faces.
@@ -40,6 +41,7 @@ struct FaceLines
     FaceLine side;      ///< along it
     /// Of (turn, end.at, side.at): rad, m. Rows without a line are zero.
     Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+    double rangeNoise = 0.0;  ///< that was reckoned with, m
 };
 
 /// The matched filter's response in the limit of a narrow strip centred on the face is an
@@ -51,7 +53,8 @@ struct FaceLines
 /// outermost ones tell of it best. So hits inside of a line weigh less than those outside, and the
 /// line goes outwards by what the scatter of the latter exceeds the sensor's noise, and by what is
 /// usual of vehicles at the heights that were seen (face_hull.h, body_profile.h; `bodyDepth`). On
-/// plane faces both cancel. Nothing where no face has hits enough.
+/// plane faces both cancel; where the scatter is that of the noise, hits on both sides weigh the
+/// same and the heading is the better for it. Nothing where no face has hits enough.
 std::optional<FaceLines> fitFaceLines(const Hits& hits, const OrientedBox& box, FaceSet seen,
                                       const Eigen::Vector2d& sensor,
                                       const FaceLineOptions& options);

@@ -68,9 +68,10 @@ std::optional<Tried> linesFrom(const OrientedBox& box, FaceSet seen, const Hits&
     FaceLineOptions narrow;
     narrow.rangeNoise = options.rangeNoise;
     narrow.bodyDepth = options.bodyDepth;
+    narrow.tellPlanes = true;
     const auto lines = fitFaceLines(hits, closer, seen, sensor, narrow);
     if (!lines) return std::nullopt;
-    const double scale = std::max(0.06, 1.5 * options.rangeNoise);
+    const double scale = std::max(0.06, 1.5 * lines->rangeNoise);
     if (!lines->end.exists)
     {
         seen.remove(Face::Front);
@@ -83,9 +84,7 @@ std::optional<Tried> linesFrom(const OrientedBox& box, FaceSet seen, const Hits&
     }
     Tried tried;
     tried.onHits = onFaceLines(closer, throughHits(*lines));
-    tried.faces = {
-        boxFromFaces(hits, closer, seen, sensor, *lines, options.hiddenFaceSigma, options.fit),
-        seen};
+    tried.faces = {boxFromFaces(hits, closer, seen, sensor, *lines, options), seen};
     tried.share = shareOnNearFaces(hits, tried.onHits, sensor, scale);
     return tried;
 }

@@ -30,6 +30,7 @@ template <int kWidth>
     const auto slope = static_cast<float>(face.slope);
     const auto turn = static_cast<float>(line.turn);
     const auto place = static_cast<float>(line.place);
+    const auto inside = static_cast<float>(line.weights.inside);
     const auto perWidth =
         static_cast<float>(1.0 / (2.0 * kLineTuning * kLineTuning * line.sigma * line.sigma));
     Real w{}, wa{}, waa{}, wr{}, war{}, squares{}, count{};
@@ -40,7 +41,7 @@ template <int kWidth>
             const Real r = lanesFrom<kWidth>(block.outwards.data() + k) + turn * a - place;
             const Real even =
                 lanesFrom<kWidth>(block.weight.data() + k) * welsch<Real>(r * r * perWidth);
-            const Real keep = r < 0.0F ? static_cast<float>(kInsideWeight) * even : even;
+            const Real keep = r < 0.0F ? inside * even : even;
             w += keep;
             wa += keep * a;
             waa += keep * a * a;

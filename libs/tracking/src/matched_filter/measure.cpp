@@ -7,6 +7,7 @@
 
 #include "matched_filter/face_extent.h"
 #include "matched_filter/find_faces.h"
+#include "matched_filter/insets.h"
 #include "matched_filter/match_kernel.h"
 #include "vdamf/tracking/matched_filter/covariance.h"
 
@@ -156,7 +157,9 @@ Measurement measureTarget(const Hits& hits, const Eigen::Vector2d& sensor, const
         optimise(steps.front(), options.fit);
     }
     m.facesSeen = facesSeen(hits, m.box, sensor, options);
-    m.covariance = fitCovariance(hits, steps.back(), m.box, fit.phi, options.hitSigma);
+    const OrientedBox fitted = m.box;
+    if (options.filter == FilterKind::PaperInset) m.box = withInsets(m.box, m.facesSeen, sensor);
+    m.covariance = fitCovariance(hits, steps.back(), fitted, fit.phi, options.hitSigma);
     if (linesFollow)
         m.covariance = withNoFaceSeen(m.covariance, m.box.heading, options.hiddenFaceSigma);
     if (options.reachOverHits) m.box = reachingOverHits(hits, m.box, m.facesSeen, sensor);

@@ -12,6 +12,7 @@ namespace vdamf
 enum class FilterKind
 {
     Paper,         ///< Table 1
+    PaperInset,    ///< Table 1, its faces moved inwards by its median bias, by face and aspect
     CoarseToFine,  ///< Table 1, then the same filter with narrower strips and sigma, twice
     FaceLines      ///< Table 1, then robust lines through the hits of the faces seen
 };
@@ -22,6 +23,7 @@ struct EnumNames<FilterKind>
     static std::vector<std::pair<FilterKind, const char*>> names()
     {
         return {{FilterKind::Paper, "paper"},
+                {FilterKind::PaperInset, "paper_inset"},
                 {FilterKind::CoarseToFine, "coarse_to_fine"},
                 {FilterKind::FaceLines, "face_lines"}};
     }
@@ -45,9 +47,9 @@ struct MeasureOptions
     template <class Self, class Visitor>
     static void visit(Self& self, Visitor&& field)
     {
-        field(
-            self.filter, "filter",
-            "filter: Table 1 of the paper, from there twice narrowed, or from there to the faces");
+        field(self.filter, "filter",
+              "filter: Table 1 of the paper, less its median bias, twice narrowed, or on to the "
+              "faces");
         field(self.sigma, "sigma_m", 0.02, 1.0,
               "standard deviation of the Gaussian around each hit (Eq. 2)");
         field(
@@ -55,10 +57,10 @@ struct MeasureOptions
             "hits that share a cell of this size count as one Gaussian with their weight; 0: off");
         field(self.hitSigma, "hit_sigma_m", 0.001, 1.0,
               "sigma_p of Eq. 14: effective scatter of one hit about the surface");
-        field(self.rangeNoise, "range_noise_m", 0.001, 1.0,
-              "face_lines: standard deviation of the sensor's ranges");
+        field(self.rangeNoise, "range_noise_m", 0.0, 1.0,
+              "face_lines: standard deviation of the sensor's ranges; 0: by the hits of each fit");
         field(self.bodyDepth, "body_depth_m", 0.0, 1.0,
-              "face_lines: how far bodies lie inside of their hull where no hits are; 0: walls");
+              "face_lines: how far a car's sill and nose lie behind its bumper; 0: upright walls");
         field(self.hiddenFaceSigma, "hidden_face_sigma_m", 0.01, 10.0,
               "face_lines: error of the place of a face that nothing shows");
         field(

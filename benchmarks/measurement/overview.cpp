@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "measurement/overview.h"
+
+#include <cmath>
+
+#include "vdamf/files/numbers.h"
+
+namespace vdamf
+{
+namespace
+{
+constexpr const char* kDefault = "face_lines+start";
+constexpr const char* kCompared[] = {kDefault, "coarse_to_fine+start", "paper+start", "closeness",
+                                     "variance"};
+
+std::string number(double value, int decimals)
+{
+    return std::isfinite(value) ? toFixedText(value, decimals) : "-";
+}
+
+const Summary* rowOf(const std::vector<Summary>& rows, const std::string& condition,
+                     const std::string& method)
+{
+    for (const Summary& row : rows)
+        if (row.condition == condition && row.method == method) return &row;
+    return nullptr;
+}
+
+std::string centimetres(const ErrorFigures& figures)
+{
+    return number(100.0 * figures.median, 1) + " (" + number(100.0 * figures.bias, 1) + ")";
+}
+
+std::string ofTheDefault(const Summary& s)
+{
+    return " | " + centimetres(s.end) + " | " + centimetres(s.side) + " | " +
+           number(100.0 * s.length.median, 0) + " | " + number(100.0 * s.width.median, 0) + " | " +
+           number(s.neesMean, 2) + " (" + number(s.neesLow, 2) + "-" + number(s.neesHigh, 2) +
+           ") | " + number(100.0 * s.within68, 0) + " / " + number(100.0 * s.within95, 0) + " / " +
+           number(100.0 * s.within99, 0) + " |\n";
+}
+}  // namespace
+
+std::string overview(const std::vector<Summary>& rows)
+{
+    std::string head = "\n| |";
+    std::string line = "|---|";
+    for (const char* quantity : {"heading", "corner"})
+    {
+        for (const char* method : kCompared)
+        {
+            head += std::string(" ") + (method == kDefault ? quantity + std::string(": ") : "") +
+                    method + " |";
+            line += "---|";
+        }
+    }
+    head += " end | side | length | width | NEES | inside 68 / 95 / 99 % |\n";
+    line += "---|---|---|---|---|---|\n";
+    std::string table = head + line;
+    std::string condition;
+    for (const Summary& row : rows)
+    {
+        if (row.condition == condition) continue;
+        condition = row.condition;
+        table += "| " + condition;
+        for (const char* method : kCompared)
+        {
+            const Summary* s = rowOf(rows, condition, method);
+            table += " | ";
+            if (s != nullptr)
+                table += number(s->heading90.median, 2) + " / " + number(s->heading90.p90, 1);
+        }
+        for (const char* method : kCompared)
+        {
+            const Summary* s = rowOf(rows, condition, method);
+            table += " | ";
+            if (s != nullptr) table += number(100.0 * s->corner.median, 1);
+        }
+        const Summary* own = rowOf(rows, condition, kDefault);
+        table += own != nullptr ? ofTheDefault(*own) : " | | | | | | |\n";
+    }
+    return table;
+}
+
+}  // namespace vdamf
