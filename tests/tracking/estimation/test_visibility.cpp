@@ -190,5 +190,30 @@ TEST(AlignedWith, TurnsFrontAndFaces)
     EXPECT_EQ(toString(turned.facesSeen), "FR");
 }
 
+// Half of a car's rear beside a pole is small; the whole rear is a car's.
+TEST(GrownToAVehicle, LengthFollowsTheWidthOfTheEndAndTheRearStays)
+{
+    const VisibilityOptions o;
+    VehicleState half;
+    half.mean << 20.0, 0.0, 0.0, 8.0, 0.0, 0.4, 1.2;
+    half.covariance.diagonal().setConstant(0.01);
+    half.width = 1.7;
+    const Measurement rear = measured({20.0, 0.0, 0.0, 1.2, 1.75}, faces({Face::Back}));
+    const VehicleState grown = grownToAVehicle(half, rear, SizesTold(), o);
+    EXPECT_NEAR(grown.mean(kLength), o.carLength, 1e-9);
+    EXPECT_NEAR(grown.mean(kX) - 0.5 * grown.mean(kLength), 20.0 - 0.6, 1e-9);
+    EXPECT_NEAR(grown.mean(kAxis) - half.mean(kAxis), 0.5 * (o.carLength - 1.2), 1e-9);
+    EXPECT_EQ(grown.mean(kSpeed), 8.0);
+    EXPECT_GT(grown.covariance(kLength, kLength), 0.9 * o.carLengthSigma * o.carLengthSigma);
+
+    EXPECT_EQ(grownToAVehicle(half, rear, {true, true}, o).mean, half.mean) << "length is known";
+    half.width = 2.5;
+    const Measurement truck = measured({20.0, 0.0, 0.0, 1.2, 2.5}, faces({Face::Back}));
+    EXPECT_GT(grownToAVehicle(half, truck, SizesTold(), o).mean(kLength), 6.0);
+    half.width = 0.6;
+    const Measurement person = measured({20.0, 0.0, 0.0, 1.2, 0.6}, faces({Face::Back}));
+    EXPECT_EQ(grownToAVehicle(half, person, SizesTold(), o).mean, half.mean);
+}
+
 }  // namespace
 }  // namespace vdamf

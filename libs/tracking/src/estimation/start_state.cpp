@@ -1,12 +1,33 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vdamf/tracking/estimation/start_state.h"
 
+#include <algorithm>
+#include <optional>
+
 namespace vdamf
 {
 namespace
 {
 constexpr double kCarEnd = 1.3;     // m, the narrowest
 constexpr double kWidestCar = 2.3;  // m
+// The end of a truck or bus alone tells little of its length.
+constexpr double kWidestTruck = 2.8;  // m
+constexpr double kTruckLength = 8.0;
+constexpr double kTruckLengthSigma = 2.5;
+
+struct AssumedLength
+{
+    double metres = 0.0;
+    double sigma = 0.0;
+};
+
+// Of the vehicle behind an end of that width (m).
+std::optional<AssumedLength> lengthBehind(double width, const VisibilityOptions& o)
+{
+    if (width < kCarEnd || width > kWidestTruck) return std::nullopt;
+    if (width < kWidestCar) return AssumedLength{o.carLength, o.carLengthSigma};
+    return AssumedLength{kTruckLength, kTruckLengthSigma};
+}
 
 // Ends and sides that could be a car's, or the part of one that is not hidden; what is not seen
 // could be anything.
@@ -27,10 +48,6 @@ BoxMeasurement withSizes(const Measurement& m, const Eigen::Vector2d& sensor,
     constexpr double kLongSide = 5.5;  // m, of vans, trucks and buses
     constexpr double kLargeWidth = 2.1;
     constexpr double kLargeWidthSigma = 0.3;
-    constexpr double kTruckEnd = 2.3;  // m, the end of a truck or bus alone: its length is unknown
-    constexpr double kWidestTruckEnd = 2.8;
-    constexpr double kTruckLength = 8.0;
-    constexpr double kTruckLengthSigma = 2.5;
     if (o.assumeVehicleSize && couldBeACar(m))
     {
         known = {o.carLength, o.carWidth};
@@ -43,7 +60,7 @@ BoxMeasurement withSizes(const Measurement& m, const Eigen::Vector2d& sensor,
         sigma.y() = kLargeWidthSigma;
     }
     else if (o.assumeVehicleSize && m.facesSeen.seesEnd() && !m.facesSeen.seesSide() &&
-             m.box.width > kTruckEnd && m.box.width < kWidestTruckEnd)
+             m.box.width > kWidestCar && m.box.width < kWidestTruck)
     {
         known.x() = kTruckLength;
         sigma.x() = kTruckLengthSigma;
@@ -59,23 +76,21 @@ SizesTold SizesTold::with(const Measurement& m) const
     return {length || locatesLength(m), width || locatesWidth(m)};
 }
 
-VehicleState grownToACar(const VehicleState& predicted, const Measurement& m, const SizesTold& told,
-                         const VisibilityOptions& o)
+VehicleState grownToAVehicle(const VehicleState& predicted, const Measurement& m,
+                             const SizesTold& told, const VisibilityOptions& o)
 {
-    if (!o.assumeVehicleSize) return predicted;
+    if (!o.assumeVehicleSize || told.length || m.facesSeen.seesSide() || !locatesWidth(m))
+        return predicted;
+    const auto behind = lengthBehind(std::min(m.box.width, predicted.width), o);
+    if (!behind || behind->metres - predicted.mean(kLength) < behind->sigma) return predicted;
+    const double side = m.facesSeen.has(Face::Back) ? 0.5 : -0.5;
+    StateVector byFace = StateVector::Zero();
+    byFace.head<2>() = side * rotation(predicted.mean(kHeading)).col(0);
+    if (predicted.steering == Steering::VariableAxis) byFace(kAxis) = side;
+    byFace(kLength) = 1.0;
     VehicleState next = predicted;
-    const bool endOfACar = locatesWidth(m) && m.box.width > kCarEnd && m.box.width < kWidestCar;
-    const double missing = o.carLength - predicted.mean(kLength);
-    const bool isBack = m.facesSeen.has(Face::Back);
-    if (!told.length && endOfACar && !m.facesSeen.seesSide() && missing > o.carLengthSigma)
-    {
-        StateVector byFace = StateVector::Zero();
-        byFace.head<2>() = (isBack ? 0.5 : -0.5) * rotation(predicted.mean(kHeading)).col(0);
-        if (next.steering == Steering::VariableAxis) byFace(kAxis) = isBack ? 0.5 : -0.5;
-        byFace(kLength) = 1.0;
-        next.mean += missing * byFace;
-        next.covariance += o.carLengthSigma * o.carLengthSigma * byFace * byFace.transpose();
-    }
+    next.mean += (behind->metres - predicted.mean(kLength)) * byFace;
+    next.covariance += behind->sigma * behind->sigma * byFace * byFace.transpose();
     return next;
 }
 

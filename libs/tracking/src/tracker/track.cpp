@@ -60,7 +60,7 @@ Track sightedTrack(const Track& before, const Sighting& sighting, VehicleKalmanF
         sighting.measurement, stateAt(before.state, sighting.lag, options.motion).mean(kHeading));
     MotionHypotheses hypotheses = before.hypotheses;
     for (VehicleState* state : {&hypotheses.moving, &hypotheses.standing, &hypotheses.free})
-        *state = grownToACar(*state, m, before.told, visibility);
+        *state = grownToAVehicle(*state, m, before.told, visibility);
     const VehicleState then =
         stateAt(hypotheses.combined(options.motion), sighting.lag, options.motion);
     BoxMeasurement box =

@@ -29,10 +29,10 @@ struct SizesTold
     SizesTold with(const Measurement& measurement) const;
 };
 
-/// The predicted state, with a size that was never told taken from a car once the other one, as
-/// measured now, is a car's: what was first seen in part, as behind a pole, may show only later
-/// that it is a vehicle. The face that is seen stays; centre and axle move with the other one.
-VehicleState grownToACar(const VehicleState& predicted, const Measurement& measurement,
+/// The predicted state, with a length that was never told taken from a car or a truck once its end
+/// is as wide as theirs: what was first seen in part, as behind a pole, shows only later that it is
+/// a vehicle. The end that is seen stays; centre and axle move with the other one.
+VehicleState grownToAVehicle(const VehicleState& predicted, const Measurement& measurement,
                          const SizesTold& told, const VisibilityOptions& options);
 
 }  // namespace vdamf
