@@ -92,6 +92,9 @@ TrackReport reportOf(const Row& row)
     report.status =
         static_cast<TrackStatus>(wholeNumber(row, "status", static_cast<int>(TrackStatus::Ended)));
     report.vehicleProbability = row.optional("vehicle_probability");
+    if (const std::optional<double> vehicle = row.optional("is_vehicle"))
+        report.isVehicle = *vehicle > 0.5;
+    report.forwardProbability = row.optional("forward_probability").value_or(0.5);
     report.box = {row.required("x_m"), row.required("y_m"), row.required("heading_rad"),
                   row.required("length_m"), row.required("width_m")};
     report.z = row.orZero("z_m");
