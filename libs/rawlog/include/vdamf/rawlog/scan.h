@@ -38,7 +38,7 @@ bool isMinorScan(const mrpt::obs::CObservation& observation);
 double durationOf(const mrpt::obs::CObservation& observation);
 
 /// The hits of one of these, nothing for other classes:
-///  - CObservationPointCloud;
+///  - CObservationPointCloud, with the times of the hits where its map is a CPointsMapXYZIRT;
 ///  - CObservationVelodyneScan, with the time of each hit;
 ///  - CObservationRotatingScan of a VLP-16, an HDL-32E, an HDL-64E or of one row, with the time of
 ///  each hit;
