@@ -9,7 +9,7 @@ namespace vdamf
 {
 namespace
 {
-constexpr double kRatioOfLogAxis = 20.0;
+constexpr double kRatioOfLogAxis = 8.0;
 
 std::vector<std::string> differentValues(const SweepResults& results, std::size_t key)
 {

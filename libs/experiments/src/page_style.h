@@ -21,7 +21,7 @@ p{margin:4px 0 12px;color:var(--muted);max-width:80ch}
 .card.best{border-color:var(--best)}code{font:13px ui-monospace,monospace}
 .plots{display:flex;flex-wrap:wrap;gap:14px}.plots>div{max-width:100%;overflow-x:auto}
 svg{max-width:100%;height:auto;font:12px system-ui,sans-serif;fill:currentColor}
-.plot svg{fill:#1d2329}
+.plot svg{fill:#1d2329}.map svg{overflow:visible}
 .grid{stroke:var(--line);fill:none}.front{stroke:var(--best);stroke-width:2;fill:none}
 .point{fill:var(--accent);fill-opacity:.75;cursor:pointer}.point.best{fill:var(--best);fill-opacity:1}
 .on-dark{fill:#fff}.on-light{fill:#111}
