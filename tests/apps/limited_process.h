@@ -16,13 +16,22 @@
 
 namespace vdamf
 {
+// What the sanitizers take beside the program.
+#ifdef __SANITIZE_ADDRESS__
+inline constexpr double kMoreTime = 8.0;
+inline constexpr double kMoreMemory = 3.0;
+#else
+inline constexpr double kMoreTime = 1.0;
+inline constexpr double kMoreMemory = 1.0;
+#endif
+
 struct ProcessOptions
 {
-    double longest = 120.0;             ///< s; then it is killed
-    std::optional<rlim_t> largestFile;  ///< bytes (RLIMIT_FSIZE)
-    std::string input = "/dev/null";    ///< standard input
-    std::string output = "/dev/null";   ///< standard output
-    std::string errors = "/dev/null";   ///< standard error
+    double longest = 120.0 * kMoreTime;  ///< s; then it is killed
+    std::optional<rlim_t> largestFile;   ///< bytes (RLIMIT_FSIZE)
+    std::string input = "/dev/null";     ///< standard input
+    std::string output = "/dev/null";    ///< standard output
+    std::string errors = "/dev/null";    ///< standard error
 };
 
 struct ProcessEnd

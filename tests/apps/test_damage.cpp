@@ -16,11 +16,6 @@ namespace fs = std::filesystem;
 
 constexpr double kLongest = 10.0;    // s
 constexpr double kLargest = 1024.0;  // MB
-#ifdef __SANITIZE_ADDRESS__
-constexpr double kShareOfMemory = 3.0;  // that the sanitizer takes beside
-#else
-constexpr double kShareOfMemory = 1.0;
-#endif
 
 int runs(int fallback)
 {
@@ -39,8 +34,8 @@ protected:
         const ProcessEnd end = runLimited(app, arguments, options);
         EXPECT_EQ(end.signal, 0) << contentOf("errors");
         EXPECT_TRUE(end.exitCode >= 0 && end.exitCode <= 2) << end.exitCode;
-        EXPECT_LT(end.seconds, kLongest);
-        EXPECT_LT(end.megabytes, kLargest * kShareOfMemory);
+        EXPECT_LT(end.seconds, kLongest * kMoreTime);
+        EXPECT_LT(end.megabytes, kLargest * kMoreMemory);
         EXPECT_TRUE(end.exitCode == 0 || !contentOf("errors").empty()) << "fails without a word";
         return end.exitCode;
     }

@@ -70,8 +70,8 @@ protected:
         options.errors = path("errors");
         const ProcessEnd end = runLimited(app, arguments, options);
         EXPECT_EQ(end.exitCode, exitCode) << app << ' ' << contentOf("errors");
-        EXPECT_LT(end.seconds, kLongest) << app;
-        EXPECT_LT(end.megabytes, kLargest) << app;
+        EXPECT_LT(end.seconds, kLongest * kMoreTime) << app;
+        EXPECT_LT(end.megabytes, kLargest * kMoreMemory) << app;
     }
 };
 

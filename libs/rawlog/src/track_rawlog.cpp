@@ -231,7 +231,7 @@ private:
     TrackOutputs outputs_;
     NisCollector nis_;
     std::set<std::uint64_t> confirmed_;  // that live
-    std::uint64_t scansMet_ = 0;  // before the range and in it
+    std::uint64_t scansMet_ = 0;         // before the range and in it
     std::optional<double> firstScanTime_;
     std::optional<double> firstEntryTime_;
     bool finished_ = false;
