@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Trains models/vehicle.txt, the discriminator that the programs have built in:
-#   scripts/train-default-model.sh [--data DIR] [--work DIR] [--plots DIR] [OPTIONS of vdamf-train]
+#   scripts/train-default-model.sh [--data DIR] [--work DIR] [--model FILE] [OPTIONS of vdamf-train]
 # Simulates scenes (datasets/scenarios and random streets), imports the two KITTI drives from DIR
 # (2011_09_26/2011_09_26_drive_0001_sync and 0005), tracks them all and trains. Scenes that are in
 # the work folder already are not simulated again.
@@ -81,4 +81,5 @@ else
     echo "no recorded drives (--data DIR): the model is trained on simulated scenes alone" >&2
 fi
 
+[[ " ${options[*]-} " == *" --cost "* ]] || options+=(--cost 0.03 --cost 0.1)
 "$apps/vdamf-train" classifier "$list" -o "$model" --overwrite "${options[@]}"

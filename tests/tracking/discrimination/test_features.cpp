@@ -63,10 +63,14 @@ Scene sceneAt(double x, double y, double heading, const Eigen::Vector2d& sensorI
 
 const Eigen::Vector2d kBehindLeft(-14.0, 8.0);
 
+// With the faces in the middle of cells, so that rounding moves no hit to another one.
 std::vector<float> featuresOf(Scene& scene)
 {
+    DiscriminationGrid grid;
+    grid.x = {-0.25, 6.75, 14};
+    grid.y = {-0.25, 3.25, 7};
     scene.view.clusters = {&scene.cluster};
-    return objectFeatures(scene.view, DiscriminationGrid{});
+    return objectFeatures(scene.view, grid);
 }
 
 double largestDifference(const std::vector<float>& a, const std::vector<float>& b)

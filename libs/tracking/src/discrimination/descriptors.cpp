@@ -23,9 +23,16 @@ Interval bulkOf(const std::vector<float>& values)
     constexpr std::size_t kCells = 512;
     const auto [min, max] = std::minmax_element(values.begin(), values.end());
     const float width = (*max - *min) / static_cast<float>(kCells - 1);
-    if (!(width > 0.0F)) return {*min, *max};
+    // Also where they are all but equal, or so far apart that cells overflow.
+    if (!(width > 1e-6F && width < 1e6F)) return {*min, *max};
     std::array<std::uint16_t, kCells> counts{};
-    for (const float v : values) ++counts[static_cast<std::size_t>((v - *min) / width)];
+    const float perMetre = 1.0F / width;
+    const float begin = *min;
+    for (const float v : values)
+    {
+        const auto cell = static_cast<std::size_t>((v - begin) * perMetre);
+        ++counts[std::min(kCells - 1, cell)];
+    }
     const auto beyond = static_cast<std::size_t>(0.02 * static_cast<double>(values.size()));
     std::size_t first = 0;
     for (std::size_t n = counts[0]; n <= beyond; n += counts[first]) ++first;
@@ -92,6 +99,7 @@ Silhouette silhouetteOf(const CanonicalHits& hits)
 {
     constexpr std::size_t kCells = 128;
     constexpr float kCell = 0.25F;  // m
+    constexpr float kLast = static_cast<float>(kCells - 1);
     const Eigen::Vector2f across =
         Eigen::Vector2f(-static_cast<float>(hits.sensor.y()), static_cast<float>(hits.sensor.x()))
             .normalized();
@@ -103,9 +111,8 @@ Silhouette silhouetteOf(const CanonicalHits& hits)
     std::array<bool, kCells> hasHit{};
     const float first = *min;
     for (const float offset : offsets)
-        hasHit[std::min(kCells - 1, static_cast<std::size_t>((offset - first) / kCell))] = true;
-    const std::size_t cells =
-        std::min(kCells, 1 + static_cast<std::size_t>((*max - first) / kCell));
+        hasHit[static_cast<std::size_t>(std::min(kLast, (offset - first) / kCell))] = true;
+    const std::size_t cells = 1 + static_cast<std::size_t>(std::min(kLast, (*max - first) / kCell));
     const auto covered = std::count(hasHit.begin(), hasHit.end(), true);
     return {static_cast<double>(*max - first),
             static_cast<double>(covered) / static_cast<double>(cells)};

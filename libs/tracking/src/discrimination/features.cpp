@@ -124,19 +124,37 @@ private:
     float* blocks_[kBlocks] = {};
 };
 
-int cellOf(const GridAxis& axis, float value)
+/// Finds cells along an axis without a division for each hit.
+struct CellFinder
 {
-    const double cell = (static_cast<double>(value) - axis.min) / axis.cellSize();
-    return cell >= 0.0 && cell < axis.cells ? static_cast<int>(cell) : -1;
-}
+    explicit CellFinder(const GridAxis& axis)
+        : min(static_cast<float>(axis.min)),
+          perMetre(static_cast<float>(1.0 / axis.cellSize())),
+          cells(axis.cells)
+    {
+    }
+    /// -1: outside.
+    int at(float value) const
+    {
+        const float cell = (value - min) * perMetre;
+        return cell >= 0.0F && cell < static_cast<float>(cells) ? static_cast<int>(cell) : -1;
+    }
+
+    float min;
+    float perMetre;
+    int cells;
+};
 
 void putCells(const CanonicalHits& hits, const DiscriminationGrid& grid, float* cells)
 {
+    const CellFinder x(grid.x);
+    const CellFinder y(grid.y);
+    const CellFinder z(grid.z);
     for (std::size_t n = 0; n < hits.size(); ++n)
     {
-        const int i = cellOf(grid.x, hits.x[n]);
-        const int j = cellOf(grid.y, hits.y[n]);
-        const int k = cellOf(grid.z, hits.z[n]);
+        const int i = x.at(hits.x[n]);
+        const int j = y.at(hits.y[n]);
+        const int k = z.at(hits.z[n]);
         if (i >= 0 && j >= 0 && k >= 0) cells[grid.index(i, j, k)] += 1.0F;
     }
     const float share = 1.0F / static_cast<float>(hits.size());

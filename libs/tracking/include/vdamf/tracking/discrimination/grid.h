@@ -20,13 +20,15 @@ struct GridAxis
     }
 };
 
-/// Cells in the canonical frame; the paper does not give their number. The near faces, where most
-/// hits are, lie in the middle of cells, so that noise does not scatter them over two.
+/// Cells in the canonical frame; the paper does not give their number. The near faces lie between
+/// cells: whether hits are before or behind them tells more than the noise that moves hits between
+/// the two costs (held out, 50 hits or more: 84.9 % found at 1 % false, against 82.5 % with faces
+/// in the middle of cells).
 struct DiscriminationGrid
 {
-    GridAxis x = {-0.25, 6.75, 14};  ///< along the side
-    GridAxis y = {-0.25, 3.25, 7};   ///< along the end
-    GridAxis z = {0.0, 3.0, 12};     ///< above the local ground
+    GridAxis x = {-0.5, 6.5, 14};  ///< along the side
+    GridAxis y = {-0.5, 3.0, 7};   ///< along the end
+    GridAxis z = {0.0, 3.0, 12};   ///< above the local ground
 
     std::size_t cells() const
     {
