@@ -92,6 +92,15 @@ Face faceAt(int axis, double sign)
     if (axis == 0) return sign > 0.0 ? Face::Front : Face::Back;
     return sign > 0.0 ? Face::Left : Face::Right;
 }
+
+FaceLines throughHits(const NearFaces& faces, const Lines& lines)
+{
+    FaceLines result;
+    result.turn = lines.q(0);
+    result.end = {!faces[0].hits.empty(), faces[0].sign * lines.q(1), 0.0, 0.0};
+    result.side = {!faces[1].hits.empty(), faces[1].sign * lines.q(2), 0.0, 0.0};
+    return result;
+}
 }  // namespace
 
 std::optional<FaceLines> fitFaceLines(const Hits& hits, const OrientedBox& box, FaceSet seen,
@@ -106,6 +115,7 @@ std::optional<FaceLines> fitFaceLines(const Hits& hits, const OrientedBox& box, 
     lines.q = {0.0, 0.5 * box.length, 0.5 * box.width};
     lines.sigma = o.sigma;
     for (int i = 0; i < o.iterations && reweigh(faces, rangeNoise, lines);) ++i;
+    if (!o.toHull) return throughHits(faces, lines);
     if (!isTold)
     {
         rangeNoise = estimatedRangeNoise(faces, lines.state(0), lines.state(1));
@@ -113,7 +123,7 @@ std::optional<FaceLines> fitFaceLines(const Hits& hits, const OrientedBox& box, 
     }
     if (o.tellPlanes && arePlanes(faces, lines))
     {
-        constexpr int kMore = 3;
+        constexpr int kMore = 2;
         lines.weights = kThroughHits;
         for (int i = 0; i < kMore && reweigh(faces, rangeNoise, lines);) ++i;
     }

@@ -21,6 +21,7 @@ struct FaceLineOptions
     double rangeNoise = 0.02;  ///< of the sensor, standard deviation, m; 0: estimated
     double bodyDepth = 0.0;    ///< of a car's sill or nose behind its bumper, m; 0: walls
     double minHits = 4.0;      ///< on a face, for a line
+    bool toHull = true;        ///< else lines through the hits alone, without covariance
     bool tellPlanes = false;   ///< treat faces that scatter no more than the noise as planes
 };
 

@@ -62,6 +62,7 @@ std::optional<Tried> linesFrom(const OrientedBox& box, FaceSet seen, const Hits&
     wide.gate = 0.7;
     wide.sigma = 0.2;
     wide.iterations = 4;
+    wide.toHull = false;
     const auto first = fitFaceLines(hits, box, seen, sensor, wide);
     if (!first) return std::nullopt;
     const OrientedBox closer = onFaceLines(box, *first);
