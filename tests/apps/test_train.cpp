@@ -22,16 +22,9 @@ namespace fs = std::filesystem;
 
 const std::string kStreet = VDAMF_SOURCE_DIR "/datasets/street/";
 
-class Train : public testing::Test
+class Train : public TemporaryFolder
 {
 protected:
-    std::string at(const std::string& name) const { return (folder_.path() / name).string(); }
-
-    void make(const std::string& name, const std::string& text) const
-    {
-        std::ofstream(at(name), std::ios::binary) << text;
-    }
-
     void makeList(const std::string& more = "") const
     {
         make("list.ini", "[recording street]\nrawlog = " + kStreet +
@@ -40,13 +33,12 @@ protected:
 
     int run(const std::string& app, const std::string& arguments)
     {
-        const Outcome outcome = runShell("cd '" + folder_.path().string() +
-                                         "' && '" VDAMF_APPS_DIR "/" + app + "' " + arguments);
+        const Outcome outcome = runShell("cd '" + at("").string() + "' && '" VDAMF_APPS_DIR "/" +
+                                         app + "' " + arguments);
         output_ = outcome.output;
         return outcome.exitCode;
     }
 
-    TemporaryFolder folder_;
     std::string output_;
 };
 
@@ -60,7 +52,7 @@ TEST_F(Train, MakesAModelThatVdamfTrackTakes)
     EXPECT_THAT(output_, HasSubstr("single frames with 50 hits or more"));
     EXPECT_THAT(output_, HasSubstr("equal error rate"));
     for (const char* name : {"weights", "vehicles", "clutter", "roc", "det", "reliability"})
-        EXPECT_TRUE(fs::exists(folder_.path() / "plots" / (std::string(name) + ".svg"))) << name;
+        EXPECT_TRUE(fs::exists(at("plots/" + std::string(name) + ".svg"))) << name;
     CsvReader held(at("held.csv"), {"recording", "track_id", "vehicle", "frame_probability"});
     std::set<std::int64_t> kinds;
     while (held.next()) kinds.insert(held.integer("vehicle"));
@@ -73,8 +65,8 @@ TEST_F(Train, MakesAModelThatVdamfTrackTakes)
     EXPECT_EQ(readTextFile(at("vehicle.txt")), model);
 
     // The configuration's folder is where its model is looked for.
-    fs::create_directories(folder_.path() / "other");
-    fs::rename(at("vehicle.txt"), folder_.path() / "other" / "vehicle.txt");
+    fs::create_directories(at("other"));
+    fs::rename(at("vehicle.txt"), at("other/vehicle.txt"));
     make("other/config.ini", "[discriminator]\nmodel = vehicle.txt\nmin_probability = 0.9\n");
     const std::string track = "-i " + kStreet + "street.rawlog --frames 0:20 -q --overwrite ";
     ASSERT_EQ(run("vdamf-track", track + "-c other/config.ini --tracks t.csv"), 0) << output_;
