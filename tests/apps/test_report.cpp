@@ -119,7 +119,7 @@ TEST_F(Report, ComesFromTheTrackerItselfWithTimes)
     trackStreet("--frames 20:23 --report " + path("r.html") + " --scene " + path("r.3Dscene"));
     const nlohmann::json data = test::runOf(contentOf("r.html"));
     EXPECT_EQ(data["frames"]["time"].size(), 3U);
-    EXPECT_EQ(data["facts"]["stages"].size(), 10U);
+    EXPECT_EQ(data["facts"]["stages"].size(), 11U);
     EXPECT_EQ(data["truth"], nullptr);
     EXPECT_GT(fs::file_size(at("r.3Dscene")), 10000U);
     ASSERT_EQ(report(path("t.rawlog") + " -q -o " + path("again.html")).exitCode, 0);

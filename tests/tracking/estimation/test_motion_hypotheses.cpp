@@ -99,19 +99,21 @@ TEST(MotionHypotheses, MixtureHasTheSpreadOfItsMeans)
 // A pedestrian steps aside, which no wheels do.
 TEST(MotionHypotheses, WhatMovesAcrossItsHeadingMovesFreely)
 {
-    VehicleKalmanFilter filter{MotionOptions()};
-    MotionHypotheses h = hypothesesFrom(unknownSpeed(), MotionOptions());
+    MotionOptions options;
+    options.independent = true;
+    VehicleKalmanFilter filter{options};
+    MotionHypotheses h = hypothesesFrom(unknownSpeed(), options);
     for (int k = 0; k < 30; ++k)
     {
         BoxMeasurement m;
         m.box << 0.0, 0.15 * k, 0.0, 4.5, 1.8;
         m.covariance.diagonal() << 0.0036, 0.0036, 1e-4, 0.01, 0.01;
-        h = updated(predicted(h, 0.1, filter, MotionOptions()), m, filter, 11.34);
+        h = updated(predicted(h, 0.1, filter, options), m, filter, 11.34);
     }
     EXPECT_GT(h.freeProbability, 0.9);
     EXPECT_LT(h.standingProbability, 0.1);
     EXPECT_NEAR(h.free.mean(kVelocityY), 1.5, 0.15);
-    EXPECT_NEAR(h.combined(MotionOptions()).mean(kY), 0.15 * 29, 0.1);
+    EXPECT_NEAR(h.combined(options).mean(kY), 0.15 * 29, 0.1);
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ struct EnumNames<VisibilityCorrection>
 struct VisibilityOptions
 {
     VisibilityCorrection correction = VisibilityCorrection::Faces;
-    double positionFloor = 0.03;                     ///< m
+    double positionFloor = 0.05;                     ///< m
     double headingFloor = 0.2 * kPi / 180.0;         ///< rad
     double endOnlyHeadingFloor = 1.5 * kPi / 180.0;  ///< rad
     double unseenSigma = 0.5;                        ///< m
