@@ -32,8 +32,7 @@ Street smallStreet(const std::string& model, int frames, double fieldOfViewDeg)
     Street street;
     const auto addPose = [&]
     {
-        for (const auto& pose : poses.observations(ins.next()))
-            street.observations.push_back(pose);
+        for (const auto& pose : poses.observations(ins.next())) street.observations.push_back(pose);
     };
     addPose();
     for (int i = 0; i < frames; ++i)

@@ -33,6 +33,6 @@ struct SizesTold
 /// is as wide as theirs: what was first seen in part, as behind a pole, shows only later that it is
 /// a vehicle. The end that is seen stays; centre and axle move with the other one.
 VehicleState grownToAVehicle(const VehicleState& predicted, const Measurement& measurement,
-                         const SizesTold& told, const VisibilityOptions& options);
+                             const SizesTold& told, const VisibilityOptions& options);
 
 }  // namespace vdamf
