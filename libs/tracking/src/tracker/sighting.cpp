@@ -8,6 +8,16 @@
 
 namespace vdamf
 {
+namespace
+{
+// A level scan line measures none; those of its hits are assumed.
+Hits withoutHeights(Hits hits)
+{
+    hits.heights = 0;
+    return hits;
+}
+}  // namespace
+
 double heightOf(const Cluster& cluster)
 {
     if (cluster.height.empty()) return 0.0;
@@ -47,7 +57,8 @@ Sighting sightingOf(const SegmentedFrame& frame, const std::vector<std::size_t>&
     s.sensor = frame.sensor.head<2>();
     s.lag = seen.lag;
     s.clusters = clusters;
-    s.measurement = measureTarget(seen.hits, sensor, start, options, knownLengthWidth);
+    s.measurement = measureTarget(frame.planar ? withoutHeights(seen.hits) : seen.hits, sensor,
+                                  start, options, knownLengthWidth);
     Measurement& m = s.measurement;
     m.hiddenEnds = hiddenEnds(m.box, m.facesSeen, sensor, frame.profile);
     if (seen.goesOn) m = goingOnTowards(m, *seen.goesOn);
