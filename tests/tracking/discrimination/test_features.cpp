@@ -181,7 +181,7 @@ TEST(Features, OfFewerHitsOfTheSameSurfaceAreAlike)
     Scene sparse = dense;
     const auto keepThird = [](std::vector<float>& v)
     {
-        for (std::size_t i = 0; 3 * i < v.size(); ++i) v[i] = v[3 * i + (i % 2)];
+        for (std::size_t i = 0; 3 * i + 1 < v.size(); ++i) v[i] = v[3 * i + (i % 2)];
         v.resize(v.size() / 3);
     };
     for (auto* v :
