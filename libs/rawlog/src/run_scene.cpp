@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vdamf/rawlog/run_scene.h"
 
+#include <mrpt/opengl/CBox.h>
 #include <mrpt/opengl/COpenGLScene.h>
 #include <mrpt/opengl/CPointCloudColoured.h>
 #include <mrpt/opengl/CSetOfLines.h>
-#include <mrpt/opengl/CSphere.h>
 
 #include <algorithm>
 #include <cmath>
@@ -54,10 +54,11 @@ mrpt::opengl::CRenderizable::Ptr hitsOf(const LadarFrame& frame)
 
 mrpt::opengl::CRenderizable::Ptr sensorOf(const Eigen::Vector3d& place)
 {
-    auto sphere = mrpt::opengl::CSphere::Create(0.3F);
-    sphere->setLocation(place.x(), place.y(), place.z());
-    sphere->setColor_u8(mrpt::img::TColor::white());
-    return sphere;
+    auto box = mrpt::opengl::CBox::Create(mrpt::math::TPoint3D(-0.2, -0.2, -0.2),
+                                          mrpt::math::TPoint3D(0.2, 0.2, 0.2));
+    box->setLocation(place.x(), place.y(), place.z());
+    box->setColor_u8(mrpt::img::TColor::white());
+    return box;
 }
 }  // namespace
 
