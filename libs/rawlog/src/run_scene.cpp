@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vdamf/rawlog/run_scene.h"
 
-#include <mrpt/opengl/CBox.h>
 #include <mrpt/opengl/COpenGLScene.h>
+#include <mrpt/opengl/CPointCloud.h>
 #include <mrpt/opengl/CPointCloudColoured.h>
 #include <mrpt/opengl/CSetOfLines.h>
 
@@ -54,11 +54,12 @@ mrpt::opengl::CRenderizable::Ptr hitsOf(const LadarFrame& frame)
 
 mrpt::opengl::CRenderizable::Ptr sensorOf(const Eigen::Vector3d& place)
 {
-    auto box = mrpt::opengl::CBox::Create(mrpt::math::TPoint3D(-0.2, -0.2, -0.2),
-                                          mrpt::math::TPoint3D(0.2, 0.2, 0.2));
-    box->setLocation(place.x(), place.y(), place.z());
-    box->setColor_u8(mrpt::img::TColor::white());
-    return box;
+    auto point = mrpt::opengl::CPointCloud::Create();
+    point->insertPoint(static_cast<float>(place.x()), static_cast<float>(place.y()),
+                       static_cast<float>(place.z()));
+    point->setPointSize(8.0F);
+    point->setColor_u8(mrpt::img::TColor::white());
+    return point;
 }
 }  // namespace
 
