@@ -64,6 +64,12 @@ TEST_F(RegressionBounds, BadTablesNameTheirLine)
 }
 
 // A bound with a misspelt scenario would hold for ever.
+// Recordings lie outside the project: their names are known only where the data is.
+bool isRecording(const std::string& scenario)
+{
+    return scenario.rfind("kitti_", 0) == 0 || scenario.rfind("argoverse_", 0) == 0;
+}
+
 TEST_F(RegressionBounds, ThoseOfTheProjectAreOfItsScenarios)
 {
     const std::string source = VDAMF_SOURCE_DIR;
@@ -78,7 +84,11 @@ TEST_F(RegressionBounds, ThoseOfTheProjectAreOfItsScenarios)
     EXPECT_EQ(fast, 6U);
     const auto all = readBounds(source + "/benchmarks/regression/bounds.csv");
     EXPECT_FALSE(all.empty());
-    for (const Bound& bound : all) EXPECT_THAT(names, ::testing::Contains(bound.scenario));
+    for (const Bound& bound : all)
+    {
+        if (isRecording(bound.scenario)) continue;
+        EXPECT_THAT(names, ::testing::Contains(bound.scenario));
+    }
 }
 
 }  // namespace
