@@ -55,7 +55,7 @@ Eigen::Vector2d middleOf(const Hits& hits)
 
 double rangeOf(const SegmentedFrame& frame, std::size_t i)
 {
-    return (middleOf(frame.hits[i]) - frame.sensorInFrame()).norm();
+    return (middleOf(frame.hits[i]) - frame.sensor).norm();
 }
 
 // Clusters that end at the seam, before it (late) and behind it (early).
@@ -120,7 +120,7 @@ std::vector<Sighting> newSightings(const SegmentedFrame& frame, const std::vecto
         HitsAtOneTime seen = hitsAtOneTime(frame, {i}, unknown, options.measurement.mergeCell);
         if (other != kNone) seen.goesOn = middleOf(frame.hits[other]);
         const OrientedBox start =
-            startBox(seen.hits, frame.sensorInFrame(), widestEnd(heightOf(frame.clusters[i])),
+            startBox(seen.hits, frame.sensor, widestEnd(heightOf(frame.clusters[i])),
                      options.measurement.fit);
         if (std::hypot(start.length, start.width) > options.lifecycle.maxExtent) continue;
         all.push_back(sightingOf(frame, {i}, seen, start, std::nullopt, options.measurement));

@@ -51,10 +51,10 @@ Sighting sightingOf(const SegmentedFrame& frame, const std::vector<std::size_t>&
                     const std::optional<Eigen::Vector2d>& knownLengthWidth,
                     const MeasureOptions& options)
 {
-    const Eigen::Vector2d sensor = frame.sensorInFrame();
+    const Eigen::Vector2d& sensor = frame.sensor;
     Sighting s;
     s.time = frame.time;
-    s.sensor = frame.sensor.head<2>();
+    s.sensor = sensor;
     s.lag = seen.lag;
     s.clusters = clusters;
     s.measurement = measureTarget(frame.planar ? withoutHeights(seen.hits) : seen.hits, sensor,
@@ -62,8 +62,6 @@ Sighting sightingOf(const SegmentedFrame& frame, const std::vector<std::size_t>&
     Measurement& m = s.measurement;
     m.hiddenEnds = hiddenEnds(m.box, m.facesSeen, sensor, frame.profile);
     if (seen.goesOn) m = goingOnTowards(m, *seen.goesOn);
-    m.box.x += frame.origin.x();
-    m.box.y += frame.origin.y();
 
     double ground = 0.0;
     double count = 0.0;
@@ -74,7 +72,7 @@ Sighting sightingOf(const SegmentedFrame& frame, const std::vector<std::size_t>&
         count += static_cast<double>(cluster.size());
         s.height = std::max(s.height, heightOf(cluster));
     }
-    s.groundZ = frame.origin.z() + (count > 0.0 ? ground / count : 0.0);
+    s.groundZ = count > 0.0 ? ground / count : 0.0;
     return s;
 }
 

@@ -14,20 +14,17 @@
 
 namespace vdamf
 {
-/// A frame behind the segmentation. Clusters, hits and boxes are relative to the frame's origin.
+/// A frame behind the segmentation. All positions are relative to the frame's origin.
 struct SegmentedFrame
 {
     double time = 0.0;                                 ///< s
-    Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< world, m
-    Eigen::Vector3d sensor = Eigen::Vector3d::Zero();  ///< world, m
+    Eigen::Vector2d sensor = Eigen::Vector2d::Zero();  ///< m
     std::size_t points = 0;
     std::size_t pointsAboveGround = 0;
     bool planar = false;
     RangeProfile profile;
     std::vector<Cluster> clusters;
     std::vector<Hits> hits;  ///< of each cluster
-
-    Eigen::Vector2d sensorInFrame() const { return (sensor - origin).head<2>(); }
 };
 
 /// Hits as they lay together at one time.
@@ -40,7 +37,7 @@ struct HitsAtOneTime
     std::optional<Eigen::Vector2d> goesOn;
 };
 
-/// Hits of one target in one frame, and what they measured. World frame.
+/// Hits of one target in one frame, and what they measured, relative to the frame's origin.
 struct Sighting
 {
     double time = 0.0;                                 ///< of the frame, s
@@ -62,7 +59,7 @@ Hits hitsOf(const SegmentedFrame& frame, const std::vector<std::size_t>& cluster
 /// its end or side there is hidden.
 Measurement goingOnTowards(const Measurement& measurement, const Eigen::Vector2d& point);
 
-/// Measures the hits of some clusters from a start, relative to the frame's origin.
+/// Measures the hits of some clusters from a start.
 Sighting sightingOf(const SegmentedFrame& frame, const std::vector<std::size_t>& clusters,
                     const HitsAtOneTime& seen, const OrientedBox& start,
                     const std::optional<Eigen::Vector2d>& knownLengthWidth,

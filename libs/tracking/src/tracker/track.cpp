@@ -86,6 +86,16 @@ Track sightedTrack(const Track& before, const Sighting& sighting, VehicleKalmanF
     return withCheckedHeading(track, sighting, options);
 }
 
+Track movedBy(Track track, const Eigen::Vector3d& by)
+{
+    MotionHypotheses& all = track.hypotheses;
+    for (VehicleState* state : {&all.moving, &all.standing, &all.free, &track.state})
+        state->mean.head<2>() += by.head<2>();
+    for (PathPoint& point : track.path) point.position += by.head<2>();
+    track.groundZ += by.z();
+    return track;
+}
+
 Track predictedTrack(const Track& before, double dt, VehicleKalmanFilter& filter,
                      const MotionOptions& options)
 {

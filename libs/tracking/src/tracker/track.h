@@ -20,15 +20,16 @@ namespace vdamf
 struct PathPoint
 {
     double time = 0.0;
-    Eigen::Vector2d position = Eigen::Vector2d::Zero();  ///< world, m
+    Eigen::Vector2d position = Eigen::Vector2d::Zero();  ///< m
 };
 
+/// All positions are relative to the origin of the frame of its last prediction.
 struct Track
 {
     std::uint64_t id = 0;
     TrackStatus status = TrackStatus::Tentative;
-    MotionHypotheses hypotheses;  ///< world
-    VehicleState state;           ///< both together
+    MotionHypotheses hypotheses;
+    VehicleState state;  ///< both together
     double groundZ = 0.0;
     double height = 0.0;
     int sightings = 0;
@@ -66,6 +67,10 @@ Track sightedTrack(const Track& track, const Sighting& sighting, VehicleKalmanFi
 /// quarter once the odds for that are high. `sighting` is the one that was just taken in.
 Track withCheckedHeading(const Track& track, const Sighting& sighting,
                          const TrackerOptions& options);
+
+/// The track with all positions moved (m), for a frame of another origin. What it has of the last
+/// frame stays as it is.
+Track movedBy(Track track, const Eigen::Vector3d& by);
 
 /// The track `dt` seconds later.
 Track predictedTrack(const Track& track, double dt, VehicleKalmanFilter& filter,
