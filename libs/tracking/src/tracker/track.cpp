@@ -59,16 +59,17 @@ Track sightedTrack(const Track& before, const Sighting& sighting, VehicleKalmanF
     const Measurement m = alignedWith(
         sighting.measurement, stateAt(before.state, sighting.lag, options.motion).mean(kHeading));
     MotionHypotheses hypotheses = before.hypotheses;
-    for (VehicleState* state : {&hypotheses.moving, &hypotheses.standing, &hypotheses.free})
-        *state = grownToAVehicle(*state, m, before.told, visibility);
+    hypotheses.forEach([&](const VehicleState& state)
+                       { return grownToAVehicle(state, m, before.told, visibility); });
     const VehicleState then =
         stateAt(hypotheses.combined(options.motion), sighting.lag, options.motion);
     BoxMeasurement box =
         boxThrough(m, faceErrors(m, then, visibility), then.size(), sighting.sensor, visibility);
     box.lag = sighting.lag;
     track.nis = innovationOf(then, box).nis();
-    for (VehicleState* state : {&hypotheses.moving, &hypotheses.standing, &hypotheses.free})
-        *state = openToGrowth(*state, broughtTo(*state, m, box.lag, options.motion), visibility);
+    hypotheses.forEach(
+        [&](const VehicleState& state)
+        { return openToGrowth(state, broughtTo(state, m, box.lag, options.motion), visibility); });
     track.hypotheses = updated(hypotheses, box, filter, options.lifecycle.nisGate);
     track.told = before.told.with(m);
     track.state = track.hypotheses.combined(options.motion);
@@ -103,7 +104,9 @@ Track predictedTrack(const Track& before, double dt, VehicleKalmanFilter& filter
     track.hypotheses = predicted(before.hypotheses, dt, filter, options);
     // Unseen, a vehicle is likelier to go straight on than to keep turning in a circle.
     constexpr double kTurnTime = 0.7;  // s
-    if (before.misses > 0) track.hypotheses.moving.mean(kCurvature) *= std::exp(-dt / kTurnTime);
+    if (before.misses > 0)
+        for (VehicleState* state : {&track.hypotheses.moving, &track.hypotheses.steady})
+            state->mean(kCurvature) *= std::exp(-dt / kTurnTime);
     track.state = track.hypotheses.combined(options);
     track.measurement.reset();
     track.nis.reset();
