@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "tracker/one_time.h"
+#include "tracker/track.h"
 
 namespace vdamf
 {
@@ -97,6 +99,15 @@ std::vector<std::size_t> partners(const SegmentedFrame& frame, const std::vector
         }
     return partner;
 }
+
+// With length and width exchanged where the sizes seen say so.
+Sighting withLikelierAxes(Sighting sighting)
+{
+    if (axesEvidence(sizeCues(sighting, sighting.height)) >= 0.0) return sighting;
+    sighting.measurement = turnedBy(sighting.measurement, 1);
+    std::swap(sighting.extent.x(), sighting.extent.y());
+    return sighting;
+}
 }  // namespace
 
 std::vector<Sighting> newSightings(const SegmentedFrame& frame, const std::vector<bool>& claimed,
@@ -123,7 +134,8 @@ std::vector<Sighting> newSightings(const SegmentedFrame& frame, const std::vecto
             startBox(seen.hits, frame.sensor, widestEnd(heightOf(frame.clusters[i])),
                      options.measurement.fit);
         if (std::hypot(start.length, start.width) > options.lifecycle.maxExtent) continue;
-        all.push_back(sightingOf(frame, {i}, seen, start, std::nullopt, options.measurement));
+        all.push_back(withLikelierAxes(
+            sightingOf(frame, {i}, seen, start, std::nullopt, options.measurement)));
     }
     return all;
 }

@@ -31,6 +31,27 @@ Hits hitsOf(const SegmentedFrame& frame, const std::vector<std::size_t>& cluster
     return all;
 }
 
+Eigen::Vector2d extentOf(const Hits& hits, double heading)
+{
+    Eigen::Vector2d extent = Eigen::Vector2d::Zero();
+    const std::size_t outermost = hits.size() / 100;
+    if (hits.size() == 0) return extent;
+    const Eigen::Matrix2d axes = rotation(heading);
+    std::vector<double> places(hits.size());
+    for (int axis = 0; axis < 2; ++axis)
+    {
+        for (std::size_t i = 0; i < hits.size(); ++i)
+            places[i] = axes(0, axis) * hits.x[i] + axes(1, axis) * hits.y[i];
+        const auto low = places.begin() + static_cast<std::ptrdiff_t>(outermost);
+        const auto high = places.end() - 1 - static_cast<std::ptrdiff_t>(outermost);
+        std::nth_element(places.begin(), low, places.end());
+        const double lowest = *low;
+        std::nth_element(places.begin(), high, places.end());
+        extent(axis) = *high - lowest;
+    }
+    return extent;
+}
+
 Measurement goingOnTowards(const Measurement& measurement, const Eigen::Vector2d& point)
 {
     const Eigen::Vector2d there = toBoxFrame(measurement.box, point);
@@ -61,6 +82,7 @@ Sighting sightingOf(const SegmentedFrame& frame, const std::vector<std::size_t>&
                                   start, options, knownLengthWidth);
     Measurement& m = s.measurement;
     m.hiddenEnds = hiddenEnds(m.box, m.facesSeen, sensor, frame.profile);
+    s.extent = extentOf(seen.hits, m.box.heading);
     if (seen.goesOn) m = goingOnTowards(m, *seen.goesOn);
 
     double ground = 0.0;

@@ -45,8 +45,9 @@ struct Sighting
     Eigen::Vector2d sensor = Eigen::Vector2d::Zero();  ///< m
     std::vector<std::size_t> clusters;                 ///< of the frame, whose hits they are
     Measurement measurement;
-    double groundZ = 0.0;  ///< local ground, m
-    double height = 0.0;   ///< of the highest hit above it, m
+    Eigen::Vector2d extent = Eigen::Vector2d::Zero();  ///< of the hits along and across the box, m
+    double groundZ = 0.0;                              ///< local ground, m
+    double height = 0.0;                               ///< of the highest hit above it, m
 };
 
 /// Height of the highest hit above the local ground, m.
@@ -54,6 +55,9 @@ double heightOf(const Cluster& cluster);
 
 /// The hits of some of the frame's clusters together.
 Hits hitsOf(const SegmentedFrame& frame, const std::vector<std::size_t>& clusters);
+
+/// Extent of hits along and across a heading, m, but for the outermost hundredth.
+Eigen::Vector2d extentOf(const Hits& hits, double heading);
 
 /// The measurement of a target that goes on towards a point (m, same frame) that it does not show:
 /// its end or side there is hidden.

@@ -8,11 +8,11 @@ namespace vdamf
 {
 namespace
 {
-void appendToPath(Track& track, double time, const Eigen::Vector2d& position)
+void appendToPath(Track& track, const PathPoint& point)
 {
-    constexpr double kPathTime = 1.0;  // s
-    track.path.push_back({time, position});
-    while (track.path.front().time < time - kPathTime) track.path.pop_front();
+    constexpr double kPathTime = 3.0;  // s
+    track.path.push_back(point);
+    while (track.path.front().time < point.time - kPathTime) track.path.pop_front();
 }
 
 // The measurement as it would have been `lag` seconds before, at the time of the state.
@@ -47,7 +47,7 @@ Track startedTrack(std::uint64_t id, const Sighting& sighting, const StartSpeed&
     track.measurement = m;
     track.lastMatch = m.match;
     if (options.lifecycle.confirmHits <= 1) track.status = TrackStatus::Confirmed;
-    appendToPath(track, sighting.time + sighting.lag, seen.mean.head<2>());
+    appendToPath(track, {sighting.time + sighting.lag, seen.box(), locatedFaces(m)});
     return track;
 }
 
@@ -83,16 +83,26 @@ Track sightedTrack(const Track& before, const Sighting& sighting, VehicleKalmanF
     if (track.status == TrackStatus::Coasting || (track.status == TrackStatus::Tentative &&
                                                   track.sightings >= options.lifecycle.confirmHits))
         track.status = TrackStatus::Confirmed;
-    appendToPath(track, sighting.time + sighting.lag, box.box.head<2>());
+    const Vector5d& b = box.box;
+    appendToPath(track,
+                 {sighting.time + sighting.lag, {b(0), b(1), b(2), b(3), b(4)}, locatedFaces(m)});
     return withCheckedHeading(track, sighting, options);
 }
 
 Track movedBy(Track track, const Eigen::Vector3d& by)
 {
-    MotionHypotheses& all = track.hypotheses;
-    for (VehicleState* state : {&all.moving, &all.standing, &all.free, &track.state})
-        state->mean.head<2>() += by.head<2>();
-    for (PathPoint& point : track.path) point.position += by.head<2>();
+    const auto moved = [&](VehicleState state)
+    {
+        state.mean.head<2>() += by.head<2>();
+        return state;
+    };
+    track.hypotheses.forEach(moved);
+    track.state = moved(track.state);
+    for (PathPoint& point : track.path)
+    {
+        point.box.x += by.x();
+        point.box.y += by.y();
+    }
     track.groundZ += by.z();
     return track;
 }

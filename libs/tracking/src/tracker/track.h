@@ -16,11 +16,12 @@
 
 namespace vdamf
 {
-/// A measured position of a track.
+/// Where a track was measured.
 struct PathPoint
 {
     double time = 0.0;
-    Eigen::Vector2d position = Eigen::Vector2d::Zero();  ///< m
+    OrientedBox box;  ///< m, rad
+    FaceSet located;  ///< those whose place the measurement told
 };
 
 /// All positions are relative to the origin of the frame of its last prediction.
@@ -38,7 +39,7 @@ struct Track
     double lastMatch = 0.0;  ///< response per hit of the last sighting, 1/m
     HeadingBelief front;
     SizesTold told;
-    std::deque<PathPoint> path;  ///< sightings of the last second
+    std::deque<PathPoint> path;  ///< sightings of the last seconds
     VehicleEvidence evidence;    ///< of the discriminator
     // Of the current frame:
     std::optional<Measurement> measurement;
@@ -62,6 +63,9 @@ Track startedTrack(std::uint64_t id, const Sighting& sighting, const StartSpeed&
 /// The track after a sighting: visibility correction, Kalman update, heading checks.
 Track sightedTrack(const Track& track, const Sighting& sighting, VehicleKalmanFilter& filter,
                    const TrackerOptions& options);
+
+/// What the faces that a sighting shows of a vehicle of that height (m) tell of its axes.
+HeadingCues sizeCues(const Sighting& sighting, double height);
 
 /// The track with its front where path and sizes say it is: exchanged with the rear or turned by a
 /// quarter once the odds for that are high. `sighting` is the one that was just taken in.
