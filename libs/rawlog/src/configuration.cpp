@@ -3,6 +3,7 @@
 
 #include "discriminator_file.h"
 #include "vdamf/files/numbers.h"
+#include "vdamf/rawlog/filter_file.h"
 
 namespace vdamf
 {
@@ -49,6 +50,7 @@ Configuration readConfiguration(const IniDocument& document)
     reader.finish();
     c.tracker.discriminator.loaded =
         discriminatorFromFile(c.tracker.discriminator, document.fileName());
+    c.tracker.measurement = withFilterFromFile(c.tracker.measurement, document.fileName());
     return c;
 }
 

@@ -97,38 +97,39 @@ Depth leastDepth(const Depths& depths, std::uint64_t heights)
     return least != nullptr ? *least : depths.back();
 }
 
-BodyProfile profileOf(Face face, bool isTall)
+BodyProfile profileOf(Face face, bool isTall, const HullParameters& hull)
 {
     BodyProfile profile;
     switch (face)
     {
         case Face::Front:
-            profile = {2.0, 0.5, isTall ? 0.25 : 0.4, 0.0, 0.0};
+            profile = {hull.front, 0.5, isTall ? 0.25 : 0.4, 0.0, 0.0};
             break;
         case Face::Back:
-            profile = {1.6, 0.5, isTall ? 0.075 : 0.25, 0.0, 0.0};
+            profile = {hull.back, 0.5, isTall ? 0.075 : 0.25, 0.0, 0.0};
             break;
         case Face::Left:
         case Face::Right:
-            profile = {1.2, isTall ? 0.3 : 0.35, isTall ? 0.05 : 0.17, 0.0, 0.0};
+            profile = {hull.side, isTall ? 0.3 : 0.35, isTall ? 0.05 : 0.17, 0.0, 0.0};
             break;
     }
+    profile.usualDeparture *= hull.usual;
     return profile;
 }
 }  // namespace
 
-BodyProfile bodyProfile(Face face, std::uint64_t heights)
+BodyProfile bodyProfile(Face face, std::uint64_t heights, const HullParameters& hull)
 {
     const bool isTall = (heights >> kTall) != 0;
-    BodyProfile profile = profileOf(face, isTall);
+    BodyProfile profile = profileOf(face, isTall, hull);
     // Nothing but zeros: of points without height.
     if (heights <= 1) return profile;
     const bool isSide = face == Face::Left || face == Face::Right;
     const Depths& low = isSide ? kLowSide : (face == Face::Front ? kLowFront : kLowBack);
     const Depths& tall = isSide ? kTallSide : (face == Face::Front ? kTallFront : kTallBack);
     const Depth beyond = leastDepth(isTall ? tall : low, heights);
-    profile.beyond = beyond.mean;
-    profile.beyondError = beyond.sigma;
+    profile.beyond = hull.beyond * beyond.mean;
+    profile.beyondError = hull.beyond * beyond.sigma;
     return profile;
 }
 

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include "vdamf/tracking/matched_filter/filter_parameters.h"
 #include "vdamf/tracking/types/faces.h"
 
 namespace vdamf
@@ -21,6 +22,6 @@ struct BodyProfile
 /// `heights` as in Hits. By Monte Carlo on the simulated cars, vans and trucks: cars' ends reach
 /// their full length at bumper height alone, bonnets and boot lids lie up to a metre behind it;
 /// what is taller than a car is flatter. Unknown heights: as if all of them were seen.
-BodyProfile bodyProfile(Face face, std::uint64_t heights);
+BodyProfile bodyProfile(Face face, std::uint64_t heights, const HullParameters& hull = {});
 
 }  // namespace vdamf

@@ -32,19 +32,10 @@ constexpr double kInFront = 0.25;
 constexpr double kWideGap = 4.0;
 constexpr double kLeastGap = 0.25;
 constexpr double kLargestGap = 1.0;
-constexpr double kFitExcess = 0.4;      // of the filter's box beyond the vehicle, at most, m
-constexpr double kEndRoughness = 0.05;  // m
-// A far end is out of view where it turns round: it lies so many times the near faces' shape beyond
-// the last hit.
-constexpr double kRoundEnd = 2.0;
-// What bodies have beyond that where a row has few hits, in units of a sill's depth (body_depth_m).
-constexpr double kFarEnd = 4.0;
-constexpr double kFarSide = 1.3;
-constexpr double kFewInRow = 20.0;  // hits
-
 // The end of a row of hits, of which the filter said `fitted`: half a gap behind the last of them;
 // nothing for a row too short.
-std::optional<FacePlace> rowEnd(std::vector<RowHit> row, double fitted, double sign, double shape)
+std::optional<FacePlace> rowEnd(std::vector<RowHit> row, double fitted, double sign, double shape,
+                                const FilterParameters& parameters)
 {
     std::sort(row.begin(), row.end(),
               [](const RowHit& a, const RowHit& b) { return a.along < b.along; });
@@ -58,15 +49,17 @@ std::optional<FacePlace> rowEnd(std::vector<RowHit> row, double fitted, double s
     const auto goesOn = [&](std::size_t next)
     {
         const double gap = row[next].along - row[next - 1].along;
-        return row[next].along < fitted - kFitExcess ||
+        return row[next].along < fitted - parameters.lines.fitExcess ||
                gap < std::clamp(kWideGap * gapBefore(next - 1), kLeastGap, kLargestGap);
     };
     while (count < row.size() && goesOn(count)) ++count;
     const double gap = gapBefore(count - 1);
-    const double roundness = kRoundEnd * shape;
+    // A far end is out of view where it turns round.
+    const double roundness = parameters.hull.roundEnd * shape;
+    const double rough = parameters.errors.endRoughness;
     FacePlace place;
     place.at = sign * (row[count - 1].along + 0.5 * gap + roundness);
-    place.variance = gap * gap / 12.0 + kEndRoughness * kEndRoughness + roundness * roundness / 4.0;
+    place.variance = gap * gap / 12.0 + rough * rough + roundness * roundness / 4.0;
     place.onRow = true;
     return place;
 }
@@ -138,7 +131,7 @@ private:
             const double shape = std::max(line(0).shape, line(1).shape);
             const std::vector<RowHit> row = rowAlong(axis, sign);
             const double reach = sign == nearSign_[axis] ? 0.0 : farReach(axis, row);
-            if (const auto end = rowEnd(row, half_[axis], sign, shape))
+            if (const auto end = rowEnd(row, half_[axis], sign, shape, options_.parameters))
             {
                 place = *end;
                 place.at += sign * reach;
@@ -151,10 +144,12 @@ private:
     // How far a body goes on behind the last hit of a row: by simulated and labelled vehicles.
     double farReach(std::size_t axis, const std::vector<RowHit>& row) const
     {
-        const double depths = axis == 0 ? kFarEnd : kFarSide;
+        const HullParameters& hull = options_.parameters.hull;
+        const double few = options_.parameters.lines.fewInRow;
+        const double depths = axis == 0 ? hull.farEnd : hull.farSide;
         double count = 0.0;
         for (const RowHit& hit : row) count += hit.weight;
-        return depths * options_.bodyDepth * kFewInRow / (kFewInRow + count);
+        return depths * options_.bodyDepth * few / (few + count);
     }
 
     // Hits on the near face that runs along `axis`, outwards by `sign`.

@@ -11,17 +11,6 @@ namespace vdamf
 {
 namespace
 {
-// What departs outside of the line before any hit is seen counts as so many hits.
-constexpr double kPriorHits = 15.0;
-// Errors of the hull's place and direction in units of the departures on both sides, and their
-// floors (m, rad): by measurement on labelled and simulated vehicles (benchmarks/measurement).
-constexpr double kTaperError = 0.05;
-constexpr double kEndTaperError = 0.12;
-constexpr double kLeastError = 0.0025;
-constexpr double kTurnError = 0.4;
-constexpr double kTaperTurnError = 0.07;
-constexpr double kBodyTurnError = 0.003;
-
 // Squares of how far the surface departs from a plane on either side of the line: what the hits
 // scatter more than the sensor's noise makes them.
 struct Excess
@@ -31,7 +20,7 @@ struct Excess
 };
 
 Excess excessOf(const Departure& d, double noise, const LineWeights& weights, bool isBody,
-                double prior)
+                double prior, double priorHits)
 {
     const auto over = [noise](double square, double share, double count, double chances)
     {
@@ -49,7 +38,7 @@ Excess excessOf(const Departure& d, double noise, const LineWeights& weights, bo
     excess.outside *= excess.outside / (excess.outside + chance + 1e-12);
     if (!isBody) return excess;
     const double all = d.countOutside + d.countInside;
-    excess.outside = (kPriorHits * prior * prior + all * excess.outside) / (kPriorHits + all);
+    excess.outside = (priorHits * prior * prior + all * excess.outside) / (priorHits + all);
     return excess;
 }
 }  // namespace
@@ -85,21 +74,22 @@ Hull hullOf(const Departure& departure, const NearFace& face, const LineState& l
 {
     constexpr double kShortest = 0.5;  // m; shorter rows tell nothing of the direction
     const bool isBody = body.depth > 0.0;
-    const BodyProfile profile = bodyProfile(body.face, body.heights);
-    const Excess excess =
-        excessOf(departure, face.noise, line.weights, isBody, body.depth * profile.usualDeparture);
+    const ErrorParameters& errors = body.errors;
+    const BodyProfile profile = bodyProfile(body.face, body.heights, body.hull);
+    const Excess excess = excessOf(departure, face.noise, line.weights, isBody,
+                                   body.depth * profile.usualDeparture, body.hull.usualHits);
     const double byNoise = line.weights.shift * face.noise * std::min(1.0, face.noise / line.sigma);
     Hull hull;
     hull.shape = std::sqrt(excess.outside);
     hull.outwards = profile.toHull * hull.shape - byNoise + body.depth * profile.beyond;
     const bool isEnd = body.face == Face::Front || body.face == Face::Back;
     const double inside = std::sqrt(excess.inside);
-    hull.error = std::hypot(profile.hullError * hull.shape,
-                            (isEnd ? kEndTaperError : kTaperError) * inside, kLeastError);
+    hull.error = std::hypot(errors.hull * profile.hullError * hull.shape,
+                            (isEnd ? errors.endTaper : errors.taper) * inside, errors.least);
     hull.error = std::hypot(hull.error, body.depth * profile.beyondError);
-    hull.turnError = std::hypot(kTurnError * hull.shape, kTaperTurnError * inside) /
+    hull.turnError = std::hypot(errors.turn * hull.shape, errors.taperTurn * inside) /
                      std::max(kShortest, departure.extent);
-    if (isBody) hull.turnError = std::hypot(hull.turnError, kBodyTurnError);
+    if (isBody) hull.turnError = std::hypot(hull.turnError, errors.bodyTurn);
     return hull;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "matched_filter/line_sums.h"
+#include "vdamf/tracking/matched_filter/filter_parameters.h"
 
 namespace vdamf
 {
@@ -24,6 +25,8 @@ struct BodyPrior
     std::uint64_t heights = 0;  ///< Hits::heights
     Face face = Face::Left;
     double depth = 0.0;  ///< of a car's sill or nose behind its bumper, m; 0: walls
+    HullParameters hull = {};
+    ErrorParameters errors = {};
 };
 
 /// From a line to the hull of the body.

@@ -142,7 +142,7 @@ std::optional<FaceLines> fitFaceLines(const Hits& hits, const OrientedBox& box, 
             result.covariance.col(1 + k).setZero();
             continue;
         }
-        const BodyPrior body{hits.heights, faceAt(k, face.sign), o.bodyDepth};
+        const BodyPrior body{hits.heights, faceAt(k, face.sign), o.bodyDepth, o.hull, o.errors};
         const Hull hull = hullOf(departureOf(face, lines.state(k)), face, lines.state(k), body);
         line.exists = true;
         line.shape = hull.shape;

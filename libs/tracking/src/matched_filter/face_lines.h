@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 #include <optional>
 
+#include "vdamf/tracking/matched_filter/filter_parameters.h"
 #include "vdamf/tracking/matched_filter/hits.h"
 #include "vdamf/tracking/types/faces.h"
 #include "vdamf/tracking/types/geometry.h"
@@ -19,10 +20,12 @@ struct FaceLineOptions
     int iterations = 6;        ///< of reweighting
     double corner = 0.25;      ///< along a face from the corner of both: bumpers are round there, m
     double rangeNoise = 0.02;  ///< of the sensor, standard deviation, m; 0: estimated
-    double bodyDepth = 0.0;    ///< of a car's sill or nose behind its bumper, m; 0: walls
-    double minHits = 4.0;      ///< on a face, for a line
-    bool toHull = true;        ///< else lines through the hits alone, without covariance
-    bool tellPlanes = false;   ///< treat faces that scatter no more than the noise as planes
+    HullParameters hull;
+    ErrorParameters errors;
+    double bodyDepth = 0.0;   ///< of a car's sill or nose behind its bumper, m; 0: walls
+    double minHits = 4.0;     ///< on a face, for a line
+    bool toHull = true;       ///< else lines through the hits alone, without covariance
+    bool tellPlanes = false;  ///< treat faces that scatter no more than the noise as planes
 };
 
 /// One of the two near faces.

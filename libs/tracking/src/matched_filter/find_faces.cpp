@@ -29,9 +29,9 @@ struct Doubt
     double body;   // error (rad, m) over the square of the share off the lines
     double wrong;  // error where half of kDoubtful is left
 };
-constexpr Doubt kTurnDoubt = {0.02, 0.15};
-constexpr Doubt kEndDoubt = {0.12, 0.3};
-constexpr Doubt kSideDoubt = {0.08, 0.12};
+constexpr double kTurnWrong = 0.15;
+constexpr double kEndWrong = 0.3;
+constexpr double kSideWrong = 0.12;
 
 double varianceOf(const Doubt& doubt, double share, bool isBody)
 {
@@ -59,8 +59,10 @@ std::optional<Tried> linesFrom(const OrientedBox& box, FaceSet seen, const Hits&
 {
     FaceLineOptions wide;
     wide.rangeNoise = options.rangeNoise;
-    wide.gate = 0.7;
-    wide.sigma = 0.2;
+    const FilterParameters& parameters = options.parameters;
+    wide.gate = parameters.lines.reach;
+    wide.sigma = parameters.lines.reachSigma;
+    wide.corner = parameters.lines.corner;
     wide.iterations = 4;
     wide.toHull = false;
     const auto first = fitFaceLines(hits, box, seen, sensor, wide);
@@ -68,6 +70,11 @@ std::optional<Tried> linesFrom(const OrientedBox& box, FaceSet seen, const Hits&
     const OrientedBox closer = onFaceLines(box, *first);
     FaceLineOptions narrow;
     narrow.rangeNoise = options.rangeNoise;
+    narrow.gate = parameters.lines.gate;
+    narrow.sigma = parameters.lines.gateSigma;
+    narrow.corner = parameters.lines.corner;
+    narrow.hull = parameters.hull;
+    narrow.errors = parameters.errors;
     narrow.bodyDepth = options.bodyDepth;
     narrow.tellPlanes = true;
     const auto lines = fitFaceLines(hits, closer, seen, sensor, narrow);
@@ -116,10 +123,10 @@ Vector5d difference(const OrientedBox& a, const OrientedBox& b)
 }
 
 // What is to be added where few hits lie on the faces.
-Matrix5d doubtOf(const FoundFaces& faces, double share, bool isBody)
+Matrix5d doubtOf(const FoundFaces& faces, double share, bool isBody, const ErrorParameters& errors)
 {
     Matrix5d covariance = Matrix5d::Zero();
-    covariance(2, 2) = varianceOf(kTurnDoubt, share, isBody);
+    covariance(2, 2) = varianceOf({errors.turnDoubt, kTurnWrong}, share, isBody);
     const Eigen::Matrix2d axes = rotation(faces.fit.box.heading);
     for (const int axis : {0, 1})
     {
@@ -128,8 +135,9 @@ Matrix5d doubtOf(const FoundFaces& faces, double share, bool isBody)
         Vector5d byFace = Vector5d::Zero();
         byFace.head<2>() = 0.5 * axes.col(axis);
         byFace(3 + axis) = positive ? 1.0 : -1.0;
-        covariance += varianceOf(axis == 0 ? kEndDoubt : kSideDoubt, share, isBody) * byFace *
-                      byFace.transpose();
+        const Doubt doubt =
+            axis == 0 ? Doubt{errors.endDoubt, kEndWrong} : Doubt{errors.sideDoubt, kSideWrong};
+        covariance += varianceOf(doubt, share, isBody) * byFace * byFace.transpose();
     }
     return covariance;
 }
@@ -166,7 +174,8 @@ public:
             const Vector5d off = difference(result.fit.box, tried.faces.fit.box);
             result.fit.covariance += odds / (1.0 + odds) * off * off.transpose();
         }
-        result.fit.covariance += doubtOf(result, tried_[best_].share, options_.bodyDepth > 0.0);
+        result.fit.covariance += doubtOf(result, tried_[best_].share, options_.bodyDepth > 0.0,
+                                         options_.parameters.errors);
         return result;
     }
 

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include "vdamf/tracking/matched_filter/filter_parameters.h"
 #include "vdamf/tracking/types/faces.h"
 #include "vdamf/tracking/types/geometry.h"
 
@@ -13,6 +14,7 @@ namespace vdamf
 /// the vehicle's, the less the more they are seen at a grazing angle. The box with the faces seen
 /// moved inwards by the median of that on the simulated cars, vans and trucks of
 /// benchmarks/measurement, by face and aspect; its size shrinks by the median excess of that.
-OrientedBox withInsets(const OrientedBox& box, FaceSet seen, const Eigen::Vector2d& sensor);
+OrientedBox withInsets(const OrientedBox& box, FaceSet seen, const Eigen::Vector2d& sensor,
+                       const InsetParameters& insets = {});
 
 }  // namespace vdamf

@@ -21,7 +21,7 @@ namespace
 // The filters to run in turn, each from the result of the one before.
 std::vector<FilterShape> filterSteps(const MeasureOptions& options)
 {
-    FilterShape shape = FilterShape::paper();
+    FilterShape shape = options.parameters.shape;
     shape.sigma = options.sigma;
     std::vector<FilterShape> steps{shape};
     if (options.filter == FilterKind::CoarseToFine)
@@ -208,6 +208,15 @@ FaceSet facesSeen(const Hits& hits, const OrientedBox& box, const Eigen::Vector2
     return seen;
 }
 
+MeasureOptions withFilter(const MeasureOptions& options, const FilterParameters& parameters)
+{
+    MeasureOptions own = options;
+    own.parameters = parameters;
+    own.sigma = parameters.shape.sigma;
+    own.hitSigma = parameters.errors.hitSigma;
+    return own;
+}
+
 Measurement measureTarget(const Hits& hits, const Eigen::Vector2d& sensor, const OrientedBox& start,
                           const MeasureOptions& options,
                           const std::optional<Eigen::Vector2d>& knownLengthWidth,
@@ -251,7 +260,8 @@ Measurement measureTarget(const Hits& hits, const Eigen::Vector2d& sensor, const
     }
     m.facesSeen = facesSeen(hits, m.box, sensor, options);
     const OrientedBox fitted = m.box;
-    if (options.filter == FilterKind::PaperInset) m.box = withInsets(m.box, m.facesSeen, sensor);
+    if (options.filter == FilterKind::PaperInset)
+        m.box = withInsets(m.box, m.facesSeen, sensor, options.parameters.insets);
     m.covariance = fitCovariance(hits, filter.narrowest(), fitted, fit.phi, options.hitSigma);
     if (linesFollow)
         m.covariance = withNoFaceSeen(m.covariance, m.box.heading, options.hiddenFaceSigma);

@@ -20,9 +20,7 @@ Track Discriminator::judged(Track track, const SegmentedFrame& frame,
     if (options_.isOff() || !track.measurement) return track;
     ObjectView view;
     view.box = track.measurement->box;
-    view.box.x -= frame.origin.x();
-    view.box.y -= frame.origin.y();
-    view.sensor = frame.sensorInFrame();
+    view.sensor = frame.sensor;
     view.match = track.measurement->match;
     view.frameHits = frame.points;
     view.planar = frame.planar;

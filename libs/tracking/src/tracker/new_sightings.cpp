@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "tracker/one_time.h"
+#include "tracker/track.h"
 
 namespace vdamf
 {
@@ -57,7 +58,7 @@ Eigen::Vector2d middleOf(const Hits& hits)
 
 double rangeOf(const SegmentedFrame& frame, std::size_t i)
 {
-    return (middleOf(frame.hits[i]) - frame.sensorInFrame()).norm();
+    return (middleOf(frame.hits[i]) - frame.sensor).norm();
 }
 
 // Clusters that end at the seam, before it (late) and behind it (early).
@@ -100,6 +101,15 @@ std::vector<std::size_t> partners(const SegmentedFrame& frame, const std::vector
     return partner;
 }
 
+// With length and width exchanged where the sizes seen say so.
+Sighting withLikelierAxes(Sighting sighting)
+{
+    if (axesEvidence(sizeCues(sighting, sighting.height)) >= 0.0) return sighting;
+    sighting.measurement = turnedBy(sighting.measurement, 1);
+    std::swap(sighting.extent.x(), sighting.extent.y());
+    return sighting;
+}
+
 // A cluster that may be a new target, with the one that it continues beyond the seam, or kNone.
 struct Start
 {
@@ -137,10 +147,11 @@ std::optional<Sighting> firstSighting(const SegmentedFrame& frame, const Start& 
     HitsAtOneTime seen = hitsAtOneTime(frame, {at.cluster}, unknown, options.measurement.mergeCell);
     if (at.other != kNone) seen.goesOn = middleOf(frame.hits[at.other]);
     const OrientedBox start =
-        startBox(seen.hits, frame.sensorInFrame(), widestEnd(heightOf(frame.clusters[at.cluster])),
+        startBox(seen.hits, frame.sensor, widestEnd(heightOf(frame.clusters[at.cluster])),
                  options.measurement.fit);
     if (std::hypot(start.length, start.width) > options.lifecycle.maxExtent) return std::nullopt;
-    return sightingOf(frame, {at.cluster}, seen, start, std::nullopt, options.measurement);
+    return withLikelierAxes(
+        sightingOf(frame, {at.cluster}, seen, start, std::nullopt, options.measurement));
 }
 }  // namespace
 

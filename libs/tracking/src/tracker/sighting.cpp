@@ -69,6 +69,27 @@ Hits hitsOf(const SegmentedFrame& frame, const std::vector<std::size_t>& cluster
     return all;
 }
 
+Eigen::Vector2d extentOf(const Hits& hits, double heading)
+{
+    Eigen::Vector2d extent = Eigen::Vector2d::Zero();
+    const std::size_t outermost = hits.size() / 100;
+    if (hits.size() == 0) return extent;
+    const Eigen::Matrix2d axes = rotation(heading);
+    std::vector<double> places(hits.size());
+    for (int axis = 0; axis < 2; ++axis)
+    {
+        for (std::size_t i = 0; i < hits.size(); ++i)
+            places[i] = axes(0, axis) * hits.x[i] + axes(1, axis) * hits.y[i];
+        const auto low = places.begin() + static_cast<std::ptrdiff_t>(outermost);
+        const auto high = places.end() - 1 - static_cast<std::ptrdiff_t>(outermost);
+        std::nth_element(places.begin(), low, places.end());
+        const double lowest = *low;
+        std::nth_element(places.begin(), high, places.end());
+        extent(axis) = *high - lowest;
+    }
+    return extent;
+}
+
 Measurement goingOnTowards(const Measurement& measurement, const Eigen::Vector2d& point)
 {
     const Eigen::Vector2d there = toBoxFrame(measurement.box, point);
@@ -89,19 +110,18 @@ Sighting sightingOf(const SegmentedFrame& frame, const std::vector<std::size_t>&
                     const std::optional<Eigen::Vector2d>& knownLengthWidth,
                     const MeasureOptions& options, const SearchEffort& effort)
 {
-    const Eigen::Vector2d sensor = frame.sensorInFrame();
+    const Eigen::Vector2d& sensor = frame.sensor;
     Sighting s;
     s.time = frame.time;
-    s.sensor = frame.sensor.head<2>();
+    s.sensor = sensor;
     s.lag = seen.lag;
     s.clusters = clusters;
     s.measurement = measureTarget(frame.planar ? withoutHeights(seen.hits) : seen.hits, sensor,
                                   start, options, knownLengthWidth, effort);
     Measurement& m = s.measurement;
     m.hiddenEnds = hiddenEnds(m.box, m.facesSeen, sensor, frame.profile);
+    s.extent = extentOf(seen.hits, m.box.heading);
     if (seen.goesOn) m = goingOnTowards(m, *seen.goesOn);
-    m.box.x += frame.origin.x();
-    m.box.y += frame.origin.y();
 
     double ground = 0.0;
     double count = 0.0;
@@ -112,7 +132,7 @@ Sighting sightingOf(const SegmentedFrame& frame, const std::vector<std::size_t>&
         count += static_cast<double>(cluster.size());
         s.height = std::max(s.height, heightOf(cluster));
     }
-    s.groundZ = frame.origin.z() + (count > 0.0 ? ground / count : 0.0);
+    s.groundZ = count > 0.0 ? ground / count : 0.0;
     return s;
 }
 

@@ -19,11 +19,19 @@ namespace vdamf
 {
 namespace
 {
-OrientedBox relativeTo(OrientedBox box, const Eigen::Vector3d& origin)
+OrientedBox movedBy(OrientedBox box, const Eigen::Vector3d& by)
 {
-    box.x -= origin.x();
-    box.y -= origin.y();
+    box.x += by.x();
+    box.y += by.y();
     return box;
+}
+
+TrackReport movedBy(TrackReport report, const Eigen::Vector3d& by)
+{
+    report.box = movedBy(report.box, by);
+    if (report.measuredBox) report.measuredBox = movedBy(*report.measuredBox, by);
+    report.z += by.z();
+    return report;
 }
 }  // namespace
 
@@ -44,9 +52,9 @@ public:
             throw std::invalid_argument("frames must come in order of time");
         SegmentedFrame segmented = segment(frame);
         enter(Stage::Prediction);
-        predictTracks(frame.time);
+        predictTracks(frame);
         enter(Stage::Association);
-        const std::vector<PredictedTarget> predicted = targets(frame.origin);
+        const std::vector<PredictedTarget> predicted = targets();
         segmented = withSharedClustersCut(std::move(segmented), predicted, options_);
         auto assignment = assignClusters(predicted, segmented.hits, options_.association);
         enter(Stage::Measurement);
@@ -76,8 +84,7 @@ private:
     {
         SegmentedFrame s;
         s.time = frame.time;
-        s.origin = frame.origin;
-        s.sensor = frame.sensor;
+        s.sensor = (frame.sensor - frame.origin).head<2>();
         s.points = frame.points.size();
         s.planar = frame.planar;
         enter(Stage::Ground);
@@ -93,25 +100,30 @@ private:
         return s;
     }
 
-    void predictTracks(double time)
+    // Also to where the frame's numbers begin, at the vehicle: so all that is kept has small
+    // numbers, which are the same however far from the world's origin it drives.
+    void predictTracks(const LadarFrame& frame)
     {
-        const double dt = time_ ? time - *time_ : 0.0;
-        time_ = time;
+        const double dt = time_ ? frame.time - *time_ : 0.0;
+        const Eigen::Vector3d moved = origin_ - frame.origin;
+        time_ = frame.time;
+        origin_ = frame.origin;
         workers_.forEach(tracks_.size(),
-                         [&](std::size_t j, std::size_t worker) {
-                             tracks_[j] = predictedTrack(std::move(tracks_[j]), dt,
+                         [&](std::size_t j, std::size_t worker)
+                         {
+                             tracks_[j] = predictedTrack(movedBy(std::move(tracks_[j]), moved), dt,
                                                          filters_[worker], options_.motion);
                          });
     }
 
-    std::vector<PredictedTarget> targets(const Eigen::Vector3d& origin) const
+    std::vector<PredictedTarget> targets() const
     {
         std::vector<PredictedTarget> all;
         all.reserve(tracks_.size());
         for (const Track& track : tracks_)
         {
-            all.push_back({relativeTo(track.box(), origin), positionSigma(track),
-                           track.lengthSigma(), track.widthSigma(), track.velocity()});
+            all.push_back({track.box(), positionSigma(track), track.lengthSigma(),
+                           track.widthSigma(), track.velocity()});
         }
         return all;
     }
@@ -133,10 +145,9 @@ private:
     Sighting measure(const Track& track, const SegmentedFrame& frame,
                      const std::vector<std::size_t>& clusters) const
     {
-        const HitsAtOneTime seen = hitsAtOneTime(frame, clusters, motionOf(track.state, frame),
-                                                 options_.measurement.mergeCell);
-        const OrientedBox start =
-            relativeTo(stateAt(track.state, seen.lag, options_.motion).box(), frame.origin);
+        const HitsAtOneTime seen =
+            hitsAtOneTime(frame, clusters, motionOf(track.state), options_.measurement.mergeCell);
+        const OrientedBox start = stateAt(track.state, seen.lag, options_.motion).box();
         return sightingOf(frame, clusters, seen, start, Eigen::Vector2d(start.length, start.width),
                           options_.measurement, effortFor(track));
     }
@@ -251,7 +262,8 @@ private:
         result.tracks.reserve(tracks_.size());
         for (const Track& track : tracks_)
             result.tracks.push_back(
-                discriminator_.withProbability(reportOf(track, options_.visibility), track));
+                movedBy(discriminator_.withProbability(reportOf(track, options_.visibility), track),
+                        frame.origin));
         return result;
     }
 
@@ -269,6 +281,7 @@ private:
     std::vector<Track> tracks_;  // by rising id
     std::uint64_t nextId_ = 1;
     std::optional<double> time_;
+    Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();  // of the last frame
 };
 
 Tracker::Tracker(const TrackerOptions& options)

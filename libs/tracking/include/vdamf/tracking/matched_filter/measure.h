@@ -2,8 +2,11 @@
 // Section 4 as one call: start, fit, covariance, faces seen.
 #pragma once
 
+#include <memory>
 #include <optional>
+#include <string>
 
+#include "vdamf/tracking/matched_filter/filter_bank.h"
 #include "vdamf/tracking/matched_filter/fit.h"
 #include "vdamf/tracking/types/measurement.h"
 
@@ -42,6 +45,11 @@ struct MeasureOptions
     double minFaceAngle = 10.0 * kPi / 180.0;  ///< rad
     int minFaceHits = 5;
     bool reachOverHits = true;
+    std::string filterFile;
+    /// What is learned. sigma and hitSigma stand above, see withFilter().
+    FilterParameters parameters;
+    /// What filterFile names, read by whoever reads files.
+    std::shared_ptr<const FilterBank> bank;
     FitOptions fit;
 
     template <class Self, class Visitor>
@@ -71,9 +79,15 @@ struct MeasureOptions
         field(self.minFaceHits, "min_face_hits", 1, 100, "hits that a face needs to count as seen");
         field(self.reachOverHits, "reach_over_hits",
               "far ends of the box at the end of the rows of hits along its seen faces");
+        field(self.filterFile, "filter_file",
+              "learned filters of vdamf-train filter, with a sigma_m and a hit_sigma_m of their "
+              "own; empty: set by hand");
         FitOptions::visit(self.fit, field);
     }
 };
+
+/// With a learned filter in place of the one that the options have.
+MeasureOptions withFilter(const MeasureOptions& options, const FilterParameters& parameters);
 
 /// Faces of the box towards the sensor with enough hits in the filter's strip along them; a hit in
 /// the corner of two strips counts for neither.
