@@ -2,9 +2,9 @@
 // Which end is the front: from the way a track moves and from its shape.
 #include <algorithm>
 #include <cmath>
-#include <deque>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "tracker/track.h"
 
@@ -121,7 +121,7 @@ Measurement narrowed(const Measurement& measurement, const Eigen::Vector2d& sens
 }
 
 // The same path of a box turned by quarters.
-std::deque<PathPoint> turned(std::deque<PathPoint> path, int quarters)
+std::vector<PathPoint> turned(std::vector<PathPoint> path, int quarters)
 {
     for (PathPoint& point : path)
     {
