@@ -12,7 +12,10 @@ void appendToPath(Track& track, const PathPoint& point)
 {
     constexpr double kPathTime = 3.0;  // s
     track.path.push_back(point);
-    while (track.path.front().time < point.time - kPathTime) track.path.pop_front();
+    const auto first =
+        std::find_if(track.path.begin(), track.path.end(),
+                     [&](const PathPoint& p) { return p.time >= point.time - kPathTime; });
+    track.path.erase(track.path.begin(), first);
 }
 
 // The measurement as it would have been `lag` seconds before, at the time of the state.

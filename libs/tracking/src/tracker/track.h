@@ -4,8 +4,8 @@
 
 #include <cmath>
 #include <cstdint>
-#include <deque>
 #include <optional>
+#include <vector>
 
 #include "tracker/sighting.h"
 #include "vdamf/tracking/discrimination/classify.h"
@@ -39,8 +39,8 @@ struct Track
     double lastMatch = 0.0;  ///< response per hit of the last sighting, 1/m
     HeadingBelief front;
     SizesTold told;
-    std::deque<PathPoint> path;  ///< sightings of the last seconds
-    VehicleEvidence evidence;    ///< of the discriminator
+    std::vector<PathPoint> path;  ///< sightings of the last seconds
+    VehicleEvidence evidence;     ///< of the discriminator
     // Of the current frame:
     std::optional<Measurement> measurement;
     std::optional<double> nis;
