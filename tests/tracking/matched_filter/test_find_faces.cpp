@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <random>
 #include <set>
 #include <utility>
@@ -105,6 +106,54 @@ TEST(MeasureTarget, IsNotTurnedByABush)
         good += onFaces ? 1 : 0;
     }
     EXPECT_GE(good, runs - 1);
+}
+
+OrientedBox disturbedCar(unsigned seed, double position, double heading)
+{
+    std::mt19937 generator(seed);
+    std::normal_distribution<double> gauss;
+    OrientedBox start = kCar;
+    start.x += position * gauss(generator);
+    start.y += position * gauss(generator);
+    start.heading += heading * gauss(generator);
+    return start;
+}
+
+TEST(MeasureTarget, LooksAgainOnlyWhereItMayAndHasTo)
+{
+    const SearchEffort first{0.0, true};
+    int otherBesideABush = 0;
+    for (unsigned seed = 1; seed <= 20; ++seed)
+    {
+        const OrientedBox start = disturbedCar(seed, 0.2, 0.1);
+        const auto headings = [&](const Hits& hits)
+        {
+            return std::make_pair(
+                measureTarget(hits, kSensor, start, {}).box.heading,
+                measureTarget(hits, kSensor, start, {}, std::nullopt, first).box.heading);
+        };
+        const auto clear = headings(exampleHits(kCar, 120, 0.02, 0.0, seed));
+        EXPECT_EQ(clear.first, clear.second) << "seed " << seed;
+        const auto bush = headings(besideABush(seed));
+        otherBesideABush += bush.first != bush.second ? 1 : 0;
+    }
+    EXPECT_GT(otherBesideABush, 0);
+}
+
+TEST(MeasureTarget, BeginsWhereTheHitsAreWhereTheStartIsNotEnough)
+{
+    const SearchEffort both{std::numeric_limits<double>::infinity(), false};
+    int more = 0;
+    for (unsigned seed = 1; seed <= 20; ++seed)
+    {
+        const Hits hits = exampleHits(kCar, 120, 0.02, 0.0, seed);
+        const OrientedBox start = disturbedCar(seed, 0.8, 0.3);
+        const Measurement one = measureTarget(hits, kSensor, start, {});
+        const Measurement better = measureTarget(hits, kSensor, start, {}, std::nullopt, both);
+        EXPECT_GE(better.match, one.match) << "seed " << seed;
+        more += better.iterations > one.iterations ? 1 : 0;
+    }
+    EXPECT_GT(more, 0);
 }
 
 TEST(MeasureTarget, SaysSoWhereNoFaceIsSeen)

@@ -18,7 +18,6 @@ public:
           independent_(options)
     {
         KF_options.method = mrpt::bayes::kfEKFNaive;
-        KF_options.use_analytic_transition_jacobian = true;
         KF_options.use_analytic_observation_jacobian = true;
         KF_options.enable_profiler = false;
         m_xkk.resize(7);
@@ -27,11 +26,23 @@ public:
 
     const MotionOptions& options() const { return options_; }
 
-    VehicleState step(const VehicleState& state, double dt, const BoxMeasurement* measurement)
+    // As MRPT's iteration predicts, without the innovation and the line for its log that it works
+    // out even where nothing was measured.
+    VehicleState predicted(const VehicleState& state, double dt) const
     {
-        dt_ = dt;
+        const MotionModel& model = modelFor(state.steering);
+        const StateMatrix f = model.jacobian(state.mean, dt);
+        const StateMatrix p = f * state.covariance * f.transpose() + model.noise(state.mean, dt);
+        VehicleState next = state;
+        next.mean = model.bounded(model.predicted(state.mean, dt));
+        next.covariance = 0.5 * (p + p.transpose());
+        return next;
+    }
+
+    VehicleState updated(const VehicleState& state, const BoxMeasurement& measurement)
+    {
         model_ = &modelFor(state.steering);
-        measurement_ = measurement;
+        measurement_ = &measurement;
         m_xkk.asEigen() = state.mean;
         m_pkk.asEigen() = state.covariance;
         runOneKalmanIteration();
@@ -44,21 +55,12 @@ public:
 protected:
     void OnGetAction(KFArray_ACT&) const override {}
 
-    void OnTransitionModel(const KFArray_ACT&, KFArray_VEH& x, bool& skip) const override
+    // The time before the measurement has passed already, see predicted().
+    void OnTransitionModel(const KFArray_ACT&, KFArray_VEH&, bool& skip) const override
     {
-        skip = dt_ == 0.0;
-        if (!skip) x.asEigen() = model_->predicted(x.asEigen(), dt_);
+        skip = true;
     }
-
-    void OnTransitionJacobian(KFMatrix_VxV& f) const override
-    {
-        f.asEigen() = model_->jacobian(m_xkk.asEigen(), dt_);
-    }
-
-    void OnTransitionNoise(KFMatrix_VxV& q) const override
-    {
-        q.asEigen() = model_->noise(m_xkk.asEigen(), dt_);
-    }
+    void OnTransitionNoise(KFMatrix_VxV& q) const override { q.setZero(); }
 
     void OnGetObservationNoise(KFMatrix_OxO& r) const override
     {
@@ -101,7 +103,7 @@ protected:
         a[2] = wrapAngle(a[2]);
     }
 
-    // Called after each prediction and update. MRPT's P = (I - K H) P loses symmetry by rounding.
+    // Called after each update. MRPT's P = (I - K H) P loses symmetry by rounding.
     void OnNormalizeStateVector() override
     {
         m_xkk.asEigen() = model_->bounded(m_xkk.asEigen());
@@ -128,7 +130,6 @@ private:
     VariableAxisModel steady_;
     IndependentModel independent_;
     const MotionModel* model_ = &variableAxis_;
-    double dt_ = 0.0;
     const BoxMeasurement* measurement_ = nullptr;
 };
 
@@ -148,7 +149,7 @@ const MotionOptions& VehicleKalmanFilter::options() const
 VehicleState VehicleKalmanFilter::predict(const VehicleState& state, double dt)
 {
     if (dt <= 0.0) return state;
-    return engine_->step(state, dt, nullptr);
+    return engine_->predicted(state, dt);
 }
 
 VehicleState VehicleKalmanFilter::update(const VehicleState& state,
@@ -156,7 +157,7 @@ VehicleState VehicleKalmanFilter::update(const VehicleState& state,
 {
     // The width that is known says where the centre is if only one side is seen.
     const BoxMeasurement centred = withKnown(measurement, 4, state.width, state.widthVariance);
-    VehicleState next = engine_->step(state, 0.0, &centred);
+    VehicleState next = engine_->updated(state, centred);
     const double gain = state.widthVariance / (state.widthVariance + measurement.covariance(4, 4));
     next.width += gain * (measurement.box(4) - state.width);
     next.widthVariance *= 1.0 - gain;
