@@ -2,22 +2,23 @@
 # Builds the fuzz targets with clang and runs them, each under AddressSanitizer and
 # UndefinedBehaviorSanitizer with at most 1 GB of memory and 10 s an input. What they find is kept
 # in build/fuzzers/findings/TARGET; exit code 1 where there is any.
-# scripts/fuzz.sh [--seconds N | --runs N] [TARGET]...   N: for each target; default: 60 seconds
+# scripts/fuzz.sh [--seconds N] [--runs N] [TARGET]...   for each target, whichever ends first; 60 s
 set -uo pipefail
 cd "$(dirname "$0")/.."
 usage() { sed -n '5s/^# //p' scripts/fuzz.sh >&2; exit 2; }
-limit=-max_total_time=60
+limits=()
 targets=()
 while [ $# -gt 0 ]; do
     case $1 in
         --seconds | --runs)
             [[ ${2:-} =~ ^[0-9]+$ ]] || usage
-            [ "$1" = --seconds ] && limit=-max_total_time=$2 || limit=-runs=$2
+            [ "$1" = --seconds ] && limits+=("-max_total_time=$2") || limits+=("-runs=$2")
             shift 2 ;;
         -*) usage ;;
         *) targets+=("$1"); shift ;;
     esac
 done
+[ ${#limits[@]} -eq 0 ] && limits=(-max_total_time=60)
 if [ ${#targets[@]} -eq 0 ]; then
     for source in fuzz/targets/*.cpp; do targets+=("$(basename "$source" .cpp)"); done
 fi
@@ -41,7 +42,7 @@ for target in "${targets[@]}"; do
     [ -f fuzz/dictionaries/"$target" ] && dictionary=(-dict=fuzz/dictionaries/"$target")
     # Leaks are looked for when the tests replay the inputs: here that would take most of the time.
     ASAN_OPTIONS=detect_leaks=0 UBSAN_OPTIONS=print_stacktrace=1 \
-        "$build/fuzz/vdamf_fuzz_$target" "$limit" -rss_limit_mb=1024 \
+        "$build/fuzz/vdamf_fuzz_$target" "${limits[@]}" -rss_limit_mb=1024 \
         -timeout=10 -detect_leaks=0 -print_final_stats=1 -artifact_prefix="$findings/" "${dictionary[@]}" \
         "$build/corpus/$target" "${seeds[@]}" > "$log" 2>&1
     code=$?

@@ -140,6 +140,12 @@ int exitCodeOf(const Cli& cli, const vdamf::TrackRawlogSummary& summary)
                      kept ? (" are in " + vdamf::partialPathOf(cli.output).string()).c_str() : "");
         return vdamf::kFailed;
     }
+    if (!summary.readError.empty())
+    {
+        std::fprintf(stderr, "%s; the %llu frames before are done\n", summary.readError.c_str(),
+                     frames);
+        return kFailed;
+    }
     if (summary.read.truncated)
     {
         std::fprintf(stderr, "%s: truncated: %s; the %llu frames before are done\n",

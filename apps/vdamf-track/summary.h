@@ -60,6 +60,26 @@ inline std::string posesText(const TrackRawlogSummary& s)
            count(s.ins.impossible, "impossible ones left out");
 }
 
+/// What is wrong with the times of the scans, on stderr.
+inline void warnOfTimes(const TrackRawlogSummary& s, const std::string& input)
+{
+    std::string why;
+    if (s.sensors.size() > 1)
+        why = "; they come from the sensors " + joinedInQuotes(s.sensors) +
+              ": set [scan] label to the one to track on, or merge_s to track on all as one";
+    else if (s.atOneTime > 0)
+        why = "; all have the label " + joinedInQuotes(s.sensors) +
+              ": if they come from several sensors, give each its own";
+    const auto line = [&](std::uint64_t count, const char* what)
+    {
+        if (count > 0)
+            std::fprintf(stderr, "%s: %llu scans skipped: %s%s\n", input.c_str(),
+                         static_cast<unsigned long long>(count), what, why.c_str());
+    };
+    line(s.outOfOrder, "earlier than the frame before");
+    line(s.atOneTime, "at the time of the frame before");
+}
+
 /// What was skipped or left out, on stderr.
 inline void warn(const TrackRawlogSummary& s, const std::string& input)
 {
@@ -70,15 +90,11 @@ inline void warn(const TrackRawlogSummary& s, const std::string& input)
                          static_cast<unsigned long long>(count), what.c_str());
     };
     line(s.withoutPose, "scans skipped: no INS pose at their time");
-    line(s.outOfOrder,
-         "scans skipped: not later than the frame before" +
-             (s.sensors.size() > 1
-                  ? "; they come from the sensors " + joinedInQuotes(s.sensors) +
-                        ": set [scan] label to the one to track on, or merge_s to track on "
-                        "all as one"
-                  : std::string()));
+    warnOfTimes(s, input);
     line(s.unstamped, "scans skipped: without a time stamp");
     line(s.unreadable, "scans skipped: " + s.firstUnreadable);
+    line(s.withoutHits,
+         "scans without a hit: all they hold is not finite, or at the sensor's origin");
     line(s.partlyDeskewed,
          "scans with hits at whose time there is no INS pose: these are placed by the pose nearest "
          "in time");
@@ -101,20 +117,18 @@ inline void printConsistency(std::FILE* to, const NisReport& nis)
     std::fprintf(to, "  %-18s %.0f, %.0f, %.0f %% of the updates (expected 68, 95, 99)\n",
                  "  inside", 100.0 * all.within68, 100.0 * all.within95, 100.0 * all.within99);
     const auto count = [&](Verdict verdict)
-    {
-        return std::count_if(nis.tracks.begin(), nis.tracks.end(),
-                             [verdict](const TrackNis& t) { return t.verdict == verdict; });
-    };
+    { return static_cast<unsigned long long>(nis.verdicts[static_cast<std::size_t>(verdict)]); };
     std::fprintf(
         to,
-        "  %-18s %td consistent, %td over-, %td underconfident, %td heavy-tailed, %td with "
+        "  %-18s %llu consistent, %llu over-, %llu underconfident, %llu heavy-tailed, %llu with "
         "too few updates\n",
         "  tracks", count(Verdict::Consistent), count(Verdict::Overconfident),
         count(Verdict::Underconfident), count(Verdict::HeavyTailed), count(Verdict::TooFew));
     constexpr std::size_t kWorstShown = 3;
     const char* title = "  worst";
-    for (const TrackNis& track : worstOf(nis, kWorstShown))
+    for (std::size_t k = 0; k < std::min(kWorstShown, nis.worst.size()); ++k)
     {
+        const TrackNis& track = nis.worst[k];
         std::fprintf(to, "  %-18s track %llu: mean %.2f over %zu updates, %s\n", title,
                      static_cast<unsigned long long>(track.trackId), track.nis.mean,
                      track.nis.count, verdictName(track.verdict));

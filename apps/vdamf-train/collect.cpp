@@ -65,6 +65,7 @@ Collected track(const Recording& recording, std::uint64_t firstTrack,
         trackRawlog(job, stop,
                     [&](const LadarFrame& frame, const FrameResult& result, double)
                     { take(all, frame, result, firstTrack); });
+    if (!summary.readError.empty()) throw ReadError(summary.readError);
     if (summary.interrupted) throw std::runtime_error("interrupted");
     return all;
 }

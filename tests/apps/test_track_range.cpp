@@ -221,8 +221,9 @@ TEST_F(TrackRange, SaysWhatToDoWithTwoSensorsInOne)
     write("in.rawlog", all);
     Outcome run = track(in("in.rawlog") + " --tracks " + path("a.csv"));
     ASSERT_EQ(run.exitCode, 0);
-    EXPECT_THAT(run.output, AllOf(HasSubstr("10 scans skipped: not later"), HasSubstr("'rear'"),
-                                  HasSubstr("'velodyne'"), HasSubstr("[scan] label")));
+    EXPECT_THAT(run.output,
+                AllOf(HasSubstr("10 scans skipped: at the time of the frame before"),
+                      HasSubstr("'rear'"), HasSubstr("'velodyne'"), HasSubstr("[scan] label")));
     run = track(in("in.rawlog") + " --set scan.label=rear --tracks " + path("b.csv"));
     EXPECT_THAT(run.output, Not(HasSubstr("skipped")));
     EXPECT_EQ(contentOf("a.csv"), contentOf("b.csv"));

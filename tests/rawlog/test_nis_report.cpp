@@ -41,9 +41,9 @@ TrackReport track(std::uint64_t id, std::optional<double> nis,
     return report;
 }
 
-NisReport example()
+NisReport example(NisCollector::Rows rows = NisCollector::Rows::Keep)
 {
-    NisCollector collector;
+    NisCollector collector(rows);
     Innovations draw;
     for (int i = 0; i < 400; ++i)
     {
@@ -83,10 +83,37 @@ TEST(NisReport, TheWorstClaimTooMuch)
 {
     const NisReport report = example();
     std::vector<std::uint64_t> ids;
-    for (const TrackNis& t : worstOf(report, 10)) ids.push_back(t.trackId);
+    for (const TrackNis& t : report.worst) ids.push_back(t.trackId);
     EXPECT_EQ(ids, (std::vector<std::uint64_t>{8, 7, 12}));
-    EXPECT_EQ(worstOf(report, 1).size(), 1U);
-    EXPECT_TRUE(worstOf(NisReport(), 3).empty());
+}
+
+TEST(NisReport, WithoutRowsTellsTheSameOfAll)
+{
+    const NisReport with = example();
+    const NisReport without = example(NisCollector::Rows::Drop);
+    EXPECT_TRUE(without.tracks.empty());
+    EXPECT_EQ(without.verdicts, with.verdicts);
+    EXPECT_EQ(without.verdicts, (std::array<std::uint64_t, 5>{1, 1, 2, 1, 0}));
+    EXPECT_EQ(without.worst.size(), 3U);
+    EXPECT_EQ(without.all.mean, with.all.mean);
+}
+
+TEST(NisReport, KeepsTheWorstOfManyTracks)
+{
+    NisCollector collector(NisCollector::Rows::Drop);
+    for (std::uint64_t id = 1; id <= 40; ++id)
+        for (int i = 0; i < 50; ++i)
+        {
+            FrameResult frame;
+            frame.tracks = {track(id, 3.0 * static_cast<double>(id % 20 + 2),
+                                  i < 49 ? TrackStatus::Confirmed : TrackStatus::Ended)};
+            collector.add(frame);
+        }
+    const NisReport report = collector.report();
+    ASSERT_EQ(report.worst.size(), NisReport::kMostWorst);
+    EXPECT_EQ(report.worst.front().trackId, 19U);
+    EXPECT_NEAR(report.worst.front().nis.mean, 21.0, 1e-9);
+    EXPECT_NEAR(report.worst.back().nis.mean, 17.0, 1e-9);
 }
 
 TEST(NisReport, IsATable)
@@ -98,7 +125,7 @@ TEST(NisReport, IsATable)
                                       "8,400,[0-9.,]*,overconfident\n"
                                       "12,400,[0-9.,]*,underconfident\n"
                                       "30,20,33.3333,[0-9.,]*,too_few\n"));
-    EXPECT_EQ(NisCollector().report().all.count, 0U);
+    EXPECT_EQ(NisCollector(NisCollector::Rows::Keep).report().all.count, 0U);
 }
 
 }  // namespace

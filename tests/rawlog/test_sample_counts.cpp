@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How much is read of MRPT's sample rawlogs, and of damaged ones beside MRPT's own reader.
 #include <gtest/gtest.h>
-#include <mrpt/io/CFileGZInputStream.h>
-#include <mrpt/obs/CActionCollection.h>
-#include <mrpt/obs/CRawlog.h>
 #include <mrpt/obs/CSensoryFrame.h>
-#include <mrpt/serialization/CArchive.h>
 
 #include "../files/temporary_folder.h"
 #include "example_objects.h"
 #include "sample_rawlogs.h"
+#include "two_readers.h"
 #include "vdamf/rawlog/scan.h"
 
 namespace vdamf
@@ -77,34 +74,6 @@ TEST(SampleCounts, EveryPointIsRead)
     }
 }
 
-/// Observations that MRPT's own way of reading a rawlog gives.
-std::size_t countByMrpt(const std::filesystem::path& rawlog)
-{
-    mrpt::io::CFileGZInputStream file(rawlog.string());
-    auto archive = mrpt::serialization::archiveFrom(file);
-    std::size_t count = 0;
-    mrpt::obs::CActionCollection::Ptr actions;
-    mrpt::obs::CSensoryFrame::Ptr frame;
-    mrpt::obs::CObservation::Ptr observation;
-    std::size_t entry = 0;
-    while (mrpt::obs::CRawlog::getActionObservationPairOrObservation(archive, actions, frame,
-                                                                     observation, entry))
-        count += observation ? 1 : frame ? frame->size() : 0;
-    return count;
-}
-
-std::size_t countByUs(const std::filesystem::path& rawlog)
-{
-    RawlogReader reader(rawlog);
-    std::size_t count = 0;
-    while (const auto entry = reader.next())
-    {
-        const auto frame = std::dynamic_pointer_cast<mrpt::obs::CSensoryFrame>(entry->object);
-        count += frame ? frame->size() : entry->object ? 1 : 0;
-    }
-    return count;
-}
-
 class DamagedCounts : public TemporaryFolder
 {
 protected:
@@ -123,20 +92,20 @@ protected:
 TEST_F(DamagedCounts, WhereMrptStopsReadingGoesOn)
 {
     const auto whole = rawlogWith("");
-    EXPECT_EQ(countByMrpt(whole), 100U);
-    EXPECT_EQ(countByUs(whole), 100U);
+    EXPECT_EQ(test::countByMrpt(whole), 100U);
+    EXPECT_EQ(test::countByUs(whole), 100U);
     const auto unknown = rawlogWith(test::unknownObject("mrpt::obs::CNew", "payload"));
-    EXPECT_EQ(countByMrpt(unknown), 10U);
-    EXPECT_EQ(countByUs(unknown), 100U);
+    EXPECT_EQ(test::countByMrpt(unknown), 10U);
+    EXPECT_EQ(test::countByUs(unknown), 100U);
     const auto garbage = rawlogWith(std::string(40, '\x7f'));
-    EXPECT_EQ(countByMrpt(garbage), 10U);
-    EXPECT_EQ(countByUs(garbage), 100U);
+    EXPECT_EQ(test::countByMrpt(garbage), 10U);
+    EXPECT_EQ(test::countByUs(garbage), 100U);
     std::string hit = serialized(test::odometry(7));
     hit[hit.size() / 2] = '\xff';
     hit.erase(hit.size() / 2 + 1, 5);
     const auto cut = rawlogWith(hit);
-    EXPECT_LT(countByMrpt(cut), 20U);
-    EXPECT_GE(countByUs(cut), 100U);
+    EXPECT_LT(test::countByMrpt(cut), 20U);
+    EXPECT_GE(test::countByUs(cut), 100U);
 }
 
 TEST_F(DamagedCounts, SensoryFramesWithoutActionsAreRead)
@@ -149,8 +118,8 @@ TEST_F(DamagedCounts, SensoryFramesWithoutActionsAreRead)
         bytes += serialized(frame);
     }
     const auto path = make("frames.rawlog", bytes);
-    EXPECT_EQ(countByMrpt(path), 0U);
-    EXPECT_EQ(countByUs(path), 5U);
+    EXPECT_EQ(test::countByMrpt(path), 0U);
+    EXPECT_EQ(test::countByUs(path), 5U);
 }
 
 TEST_F(DamagedCounts, OfAnOverwrittenGzFileTheOtherMembersAreRead)
@@ -163,8 +132,8 @@ TEST_F(DamagedCounts, OfAnOverwrittenGzFileTheOtherMembersAreRead)
     std::string bytes = contentOf("whole.rawlog");
     bytes.replace(bytes.size() / 3, 40, std::string(40, 'x'));
     const auto path = make("hit.rawlog", bytes);
-    EXPECT_LT(countByMrpt(path), 50U);
-    EXPECT_GT(countByUs(path), 70U);
+    EXPECT_LT(test::countByMrpt(path), 50U);
+    EXPECT_GT(test::countByUs(path), 70U);
 }
 
 }  // namespace

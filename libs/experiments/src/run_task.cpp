@@ -40,6 +40,7 @@ TrackRawlogSummary track(const RunTask& task, const fs::path& taskFolder, const 
     if (task.frames.last > 0) job.lastFrame = static_cast<std::uint64_t>(task.frames.last);
     const std::atomic<bool> never{false};
     const TrackRawlogSummary summary = trackRawlog(job, never);
+    if (!summary.readError.empty()) throw ReadError(summary.readError);
     if (summary.read.truncated)
         throw std::runtime_error(task.rawlog + ": truncated: " + summary.read.truncation);
     return summary;

@@ -7,7 +7,8 @@ namespace vdamf
 {
 namespace
 {
-constexpr std::size_t kBlock = 256 * 1024;
+constexpr std::uint64_t kBlock = 256 * 1024;
+constexpr std::uint64_t kLeastBlock = 4 * 1024;
 }  // namespace
 
 bool EntryWindow::require(std::size_t bytes)
@@ -16,14 +17,15 @@ bool EntryWindow::require(std::size_t bytes)
     if (ended_) return false;
     data_.erase(0, begin_);
     begin_ = 0;
+    const auto block = std::clamp(std::min(kBlock, input_.largestContent()), kLeastBlock, kBlock);
     while (data_.size() < bytes && !ended_)
     {
         // Block by block: a size from a corrupt file must not make the window larger than the file.
         const std::size_t before = data_.size();
-        data_.resize(before + kBlock);
-        const std::size_t got = input_.read(data_.data() + before, kBlock);
+        data_.resize(before + block);
+        const std::size_t got = input_.read(data_.data() + before, block);
         data_.resize(before + got);
-        ended_ = got < kBlock;
+        ended_ = got < block;
     }
     return data_.size() >= bytes;
 }

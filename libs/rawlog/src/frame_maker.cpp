@@ -12,7 +12,7 @@ std::optional<LadarFrame> FrameMaker::frameOf(const PendingScan& scan,
 {
     if (summary_.frames > 0 && scan.time <= summary_.lastTime)
     {
-        ++summary_.outOfOrder;
+        ++(scan.time == summary_.lastTime ? summary_.atOneTime : summary_.outOfOrder);
         return std::nullopt;
     }
     std::optional<LadarFrame> frame = frameOf(scan, pose);
@@ -38,6 +38,7 @@ std::optional<LadarFrame> FrameMaker::frameOf(const PendingScan& scan,
     try
     {
         const Scan hits = *scanFrom(*scan.observation, files_);
+        if (hits.points.empty()) ++summary_.withoutHits;
         if (!options_.deskew) return toLadarFrame(hits, *pose);
         DeskewedFrame deskewed = toLadarFrame(hits, *pose, ins_);
         if (!deskewed.posesCoverScan) ++summary_.partlyDeskewed;

@@ -17,7 +17,8 @@ namespace
 {
 namespace fs = std::filesystem;
 
-constexpr std::size_t kInputBytes = 256 * 1024;
+constexpr std::uintmax_t kInputBytes = 256 * 1024;
+constexpr std::uintmax_t kLeastInputBytes = 4 * 1024;
 constexpr std::size_t kHeaderBytes = 10;
 constexpr int kGzipWindowBits = 15 + 16;
 
@@ -42,7 +43,7 @@ void GzInput::EndInflate::operator()(z_stream_s* stream) const
     delete stream;
 }
 
-GzInput::GzInput(const fs::path& path) : path_(path), input_(kInputBytes)
+GzInput::GzInput(const fs::path& path)
 {
     std::error_code error;
     if (fs::is_directory(path, error)) fail(path, "cannot read: this is a folder; name a rawlog");
@@ -50,7 +51,12 @@ GzInput::GzInput(const fs::path& path) : path_(path), input_(kInputBytes)
     if (!file_) fail(path, "cannot read: " + std::system_category().message(errno));
     const std::uintmax_t size = fs::file_size(path, error);
     fileSize_ = error ? 0 : size;
-    if (!isGz()) return;
+    // Small files are read faster into little memory.
+    input_.resize(fileSize_ == 0 ? kInputBytes
+                                 : std::clamp(fileSize_ + 1, kLeastInputBytes, kInputBytes));
+    const bool gz = isGz();
+    if (!readError_.empty()) fail(path, "cannot read: " + readError_);
+    if (!gz) return;
     inflater_.reset(new z_stream_s{});
     if (inflateInit2(inflater_.get(), kGzipWindowBits) != Z_OK)
     {
@@ -70,6 +76,7 @@ bool GzInput::isGz()
 bool GzInput::require(std::size_t bytes)
 {
     if (available() >= bytes) return true;
+    if (!readError_.empty()) return false;
     std::memmove(input_.data(), input_.data() + begin_, available());
     end_ -= begin_;
     begin_ = 0;
@@ -84,7 +91,12 @@ bool GzInput::require(std::size_t bytes)
             report("reading was interrupted");
             return false;
         }
-        if (got < 0) fail(path_, "cannot read: " + std::system_category().message(errno));
+        if (got < 0)
+        {
+            readError_ = std::system_category().message(errno) + " at byte " +
+                         std::to_string(taken_) + " of the file";
+            return false;
+        }
         if (got == 0) return false;
         end_ += static_cast<std::size_t>(got);
         taken_ += static_cast<std::uint64_t>(got);
@@ -117,7 +129,7 @@ std::size_t GzInput::inflateSome(char* to, std::size_t room)
     if (finished_) return 0;
     if (!require(1))
     {
-        report("the gz stream ends early");
+        if (readError_.empty()) report("the gz stream ends early");
         finished_ = true;
         return 0;
     }

@@ -25,9 +25,12 @@ public:
     GzInput(const GzInput&) = delete;
     GzInput& operator=(const GzInput&) = delete;
 
-    /// Fills the room; less only at the end of the file. Throws std::runtime_error where the
-    /// system cannot read the file.
+    /// Fills the room; less only at the end of the file, or where the system cannot read on:
+    /// readError() tells.
     std::size_t read(char* to, std::size_t room);
+
+    /// Why the system could not read on, and where; empty: it could.
+    const std::string& readError() const { return readError_; }
 
     /// What is wrong with the gz stream, so far; empty: nothing.
     const std::string& problem() const { return problem_; }
@@ -55,7 +58,6 @@ private:
     void findNextMember();
     void report(const std::string& what);
 
-    std::filesystem::path path_;
     std::unique_ptr<std::FILE, Close> file_;
     std::unique_ptr<z_stream_s, EndInflate> inflater_;  // null: the file is plain
     std::vector<unsigned char> input_;                  // compressed; [begin_, end_) is ahead
@@ -66,6 +68,7 @@ private:
     std::uint64_t taken_ = 0;  // from the file
     std::uint64_t fileSize_ = 0;
     std::string problem_;
+    std::string readError_;
 };
 
 }  // namespace vdamf

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace vdamf
 {
@@ -12,21 +13,32 @@ namespace
 {
 using namespace mrpt::obs;
 
+// MRPT copies its flags from the file as they are: in a damaged one they may be no bool at all, and
+// its own functions must not look at them.
+std::optional<double> valueOf(const CObservationIMU& imu, TIMUDataIndex index)
+{
+    unsigned char flag = 0;
+    std::memcpy(&flag, &imu.dataIsPresent.at(index), sizeof flag);
+    if (flag != 1) return std::nullopt;
+    return imu.rawMeasurements.at(index);
+}
+
 std::optional<Eigen::Quaterniond> attitudeIn(const CObservationIMU& imu)
 {
-    if (imu.has(IMU_YAW))
+    if (const auto yaw = valueOf(imu, IMU_YAW))
     {
-        const double pitch = imu.has(IMU_PITCH) ? imu.get(IMU_PITCH) : 0.0;
-        const double roll = imu.has(IMU_ROLL) ? imu.get(IMU_ROLL) : 0.0;
-        return Eigen::AngleAxisd(imu.get(IMU_YAW), Eigen::Vector3d::UnitZ()) *
+        const double pitch = valueOf(imu, IMU_PITCH).value_or(0.0);
+        const double roll = valueOf(imu, IMU_ROLL).value_or(0.0);
+        return Eigen::AngleAxisd(*yaw, Eigen::Vector3d::UnitZ()) *
                Eigen::AngleAxisd(pitch, Eigen::Vector3d::UnitY()) *
                Eigen::AngleAxisd(roll, Eigen::Vector3d::UnitX());
     }
-    const bool hasQuaternion = imu.has(IMU_ORI_QUAT_X) && imu.has(IMU_ORI_QUAT_Y) &&
-                               imu.has(IMU_ORI_QUAT_Z) && imu.has(IMU_ORI_QUAT_W);
-    if (!hasQuaternion) return std::nullopt;
-    const Eigen::Quaterniond q(imu.get(IMU_ORI_QUAT_W), imu.get(IMU_ORI_QUAT_X),
-                               imu.get(IMU_ORI_QUAT_Y), imu.get(IMU_ORI_QUAT_Z));
+    const auto x = valueOf(imu, IMU_ORI_QUAT_X);
+    const auto y = valueOf(imu, IMU_ORI_QUAT_Y);
+    const auto z = valueOf(imu, IMU_ORI_QUAT_Z);
+    const auto w = valueOf(imu, IMU_ORI_QUAT_W);
+    if (!x || !y || !z || !w) return std::nullopt;
+    const Eigen::Quaterniond q(*w, *x, *y, *z);
     constexpr double kTolerance = 0.01;
     if (!(std::abs(q.norm() - 1.0) < kTolerance)) return std::nullopt;
     return q.normalized();

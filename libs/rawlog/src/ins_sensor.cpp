@@ -31,7 +31,8 @@ void InsSensor::insert(const std::string& label, const InsReading& reading)
 {
     if (!options_.label.empty() && label != options_.label) return;
     if (label_ && label != *label_) return;
-    if (!reading.valid)
+    constexpr double kFarthest = 1e8;  // m, more than twice around the Earth
+    if (!reading.valid || reading.sample.position.cwiseAbs().maxCoeff() > kFarthest)
     {
         ++counts_.impossible;
         return;

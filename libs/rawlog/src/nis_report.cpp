@@ -47,7 +47,7 @@ void NisCollector::add(const FrameResult& frame)
         }
         const auto found = living_.find(track.id);
         if (track.status != TrackStatus::Ended || found == living_.end()) continue;
-        ended_.push_back(rowFor(track.id, found->second));
+        addTo(ended_, rowFor(track.id, found->second));
         living_.erase(found);
     }
 }
@@ -63,24 +63,24 @@ void NisCollector::addToAll(double nis)
     stride_ *= 2;
 }
 
+void NisCollector::addTo(NisReport& report, const TrackNis& track) const
+{
+    ++report.verdicts[static_cast<std::size_t>(track.verdict)];
+    if (keepsRows_) report.tracks.push_back(track);
+    if (track.verdict == Verdict::TooFew || track.verdict == Verdict::Consistent) return;
+    const auto place = std::upper_bound(report.worst.begin(), report.worst.end(), track, isWorse);
+    report.worst.insert(place, track);
+    if (report.worst.size() > NisReport::kMostWorst) report.worst.pop_back();
+}
+
 NisReport NisCollector::report() const
 {
-    NisReport report{consistencyOf(all_, kFreedom), ended_};
-    for (const auto& [id, values] : living_) report.tracks.push_back(rowFor(id, values));
+    NisReport report = ended_;
+    report.all = consistencyOf(all_, kFreedom);
+    for (const auto& [id, values] : living_) addTo(report, rowFor(id, values));
     std::sort(report.tracks.begin(), report.tracks.end(),
               [](const TrackNis& a, const TrackNis& b) { return a.trackId < b.trackId; });
     return report;
-}
-
-std::vector<TrackNis> worstOf(const NisReport& report, std::size_t most)
-{
-    std::vector<TrackNis> worst;
-    for (const TrackNis& track : report.tracks)
-        if (track.verdict != Verdict::TooFew && track.verdict != Verdict::Consistent)
-            worst.push_back(track);
-    std::stable_sort(worst.begin(), worst.end(), isWorse);
-    worst.resize(std::min(worst.size(), most));
-    return worst;
 }
 
 const char* verdictName(Verdict verdict)

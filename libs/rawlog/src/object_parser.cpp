@@ -71,8 +71,10 @@ AllocationLimit limitFor(const GzInput& input)
                            std::min(kLargestSum, plausible));
 }
 
-std::string reasonOf(const std::exception& error, const WindowArchive& archive)
+std::string reasonOf(const std::exception& error, const WindowArchive& archive,
+                     const GzInput& input)
 {
+    if (archive.reachedEnd() && !input.readError().empty()) return "it could not be read on";
     if (archive.reachedEnd()) return "the file ends inside this object";
     return shortMessage(error.what());
 }
@@ -98,7 +100,7 @@ ParsedObject parseObject(EntryWindow& window)
     }
     catch (const std::exception& error)
     {
-        result.problem = reasonOf(error, archive);
+        result.problem = reasonOf(error, archive, window.input());
     }
     result.bytes = archive.bytesRead();
     result.reachedEnd = archive.reachedEnd();

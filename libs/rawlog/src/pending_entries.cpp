@@ -71,9 +71,22 @@ PendingScan PendingEntries::pendingScan(const mrpt::obs::CObservation::Ptr& obse
     return scan;
 }
 
+std::optional<RawlogEntry> PendingEntries::nextEntry()
+{
+    try
+    {
+        return reader_.next();
+    }
+    catch (const ReadError& error)
+    {
+        readError_ = error.what();
+        return std::nullopt;
+    }
+}
+
 bool PendingEntries::readOne()
 {
-    std::optional<RawlogEntry> entry = reader_.next();
+    std::optional<RawlogEntry> entry = nextEntry();
     if (!entry)
     {
         atEnd_ = true;

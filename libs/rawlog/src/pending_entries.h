@@ -53,10 +53,13 @@ public:
     /// The scans that become one frame with this one, which is not done: of each other sensor the
     /// earliest in the time that scans are merged in.
     std::vector<PendingScan*> partnersOf(const PendingScan& scan);
+    /// Why the rawlog could not be read on; empty: it could. The entries before are as always.
+    const std::string& readError() const { return readError_; }
     /// True where an entry has annotations that are not written yet.
     bool holdsAnnotations() const;
 
 private:
+    std::optional<RawlogEntry> nextEntry();
     bool readOne();
     bool counts(const mrpt::obs::CObservation& observation);
     void dropMinorScans();
@@ -72,6 +75,7 @@ private:
     std::deque<PendingEntry> entries_;
     std::size_t bytes_ = 0;
     bool atEnd_ = false;
+    std::string readError_;
 };
 
 }  // namespace vdamf

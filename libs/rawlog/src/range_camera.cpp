@@ -3,6 +3,7 @@
 
 #include <mrpt/maps/CSimplePointsMap.h>
 
+#include <cstring>
 #include <stdexcept>
 
 #include "vdamf/rawlog/allocation_limit.h"
@@ -12,6 +13,26 @@ namespace vdamf
 namespace
 {
 using Camera = mrpt::obs::CObservation3DRangeScan;
+
+/// MRPT copies flags from the file as they are: in a damaged one they may be no bool at all, and
+/// nothing may look at them, not even a copy.
+class CameraFlags : public Camera
+{
+public:
+    static bool areBools(const Camera& scan)
+    {
+        for (const auto flag :
+             {&Camera::hasPoints3D, &Camera::hasRangeImage, &Camera::range_is_depth,
+              &Camera::hasIntensityImage, &Camera::hasConfidenceImage,
+              &CameraFlags::m_points3D_external_stored, &CameraFlags::m_rangeImage_external_stored})
+        {
+            unsigned char byte = 0;
+            std::memcpy(&byte, &(scan.*flag), sizeof byte);
+            if (byte > 1) return false;
+        }
+        return true;
+    }
+};
 
 /// Loading and projecting change the object: a copy, with all that is in external files.
 class LoadedCamera : public Camera
@@ -32,6 +53,7 @@ public:
 
 PointCloud hitsOf(const Camera& scan, const ExternalFiles& files)
 {
+    if (!CameraFlags::areBools(scan)) throw std::runtime_error("its flags are damaged");
     LoadedCamera copy(scan, files);
     PointCloud cloud;
     if (copy.hasPoints3D)

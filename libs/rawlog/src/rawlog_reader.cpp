@@ -8,6 +8,7 @@
 
 #include "action_extent.h"
 #include "action_movement.h"
+#include "entry_search.h"
 #include "entry_window.h"
 #include "object_header.h"
 #include "object_parser.h"
@@ -26,12 +27,18 @@ constexpr std::uint64_t kEndlessGap = std::uint64_t{1} << 30;
 constexpr std::size_t kProblemsKept = 20;
 constexpr char kEndFlag = '\x88';
 
+/// Once: it takes longer than reading a small rawlog.
 void registerClasses()
 {
-    // The linker leaves a library out that nobody calls, and its classes with it.
-    mrpt::obs::registerAllClasses_mrpt_obs();
-    mrpt::maps::registerAllClasses_mrpt_maps();
-    TimedPointsMap::registerClass();
+    static const bool done = []
+    {
+        // The linker leaves a library out that nobody calls, and its classes with it.
+        mrpt::obs::registerAllClasses_mrpt_obs();
+        mrpt::maps::registerAllClasses_mrpt_maps();
+        TimedPointsMap::registerClass();
+        return true;
+    }();
+    static_cast<void>(done);
 }
 
 /// Bytes at the end of a stream that begin like a header and stop before its end.
@@ -42,21 +49,6 @@ bool isCutHeader(std::string_view bytes)
     return bytes.size() < whole && bytes.find('\0') == std::string_view::npos;
 }
 
-// The next place from which the name of an entry's class, or one that begins with `initial`, may
-// follow in one of the two forms of a header: all that is asked of most bytes of a hole. Near the
-// end of the bytes every place may be one.
-std::size_t nextNameAt(std::string_view bytes, std::size_t at, char initial)
-{
-    constexpr std::size_t kOldNameAt = 4;
-    const auto beginsName = [initial](char c) { return c == 'C' || c == 'm' || c == initial; };
-    while (at + kLongestHeader < bytes.size() && !beginsName(bytes[at + 1]) &&
-           !beginsName(bytes[at + kOldNameAt]))
-    {
-        ++at;
-    }
-    return at;
-}
-
 std::string kindOfForeignFile(std::string_view bytes)
 {
     if (bytes.substr(0, 4) == "\x28\xb5\x2f\xfd") return ": it is zstd compressed, unpack it first";
@@ -65,14 +57,24 @@ std::string kindOfForeignFile(std::string_view bytes)
                                                "7zXZ\0",
                                                6))
         return ": it is xz compressed, unpack it first";
+    for (const char* const capture : {"\xd4\xc3\xb2\xa1", "\xa1\xb2\xc3\xd4", "\x4d\x3c\xb2\xa1",
+                                      "\xa1\xb2\x3c\x4d", "\x0a\x0d\x0d\x0a"})
+        if (bytes.substr(0, 4) == capture)
+            return ": it is a network capture, import it with vdamf-import velodyne-pcap";
+    if (bytes.substr(0, 6) == "# .PCD" || bytes.substr(0, 3) == "ply")
+        return ": it is a point cloud, import its folder with vdamf-import clouds";
+    if (bytes.substr(0, 7) == "#ROSBAG" || bytes.substr(0, 15) == "SQLite format 3" ||
+        bytes.substr(0, 5) == "\x89MCAP")
+        return ": it is a ROS bag, export it to MRPT or to point clouds first";
     return ": expected MRPT observations";
 }
 }  // namespace
 
 struct RawlogReader::Impl
 {
-    explicit Impl(const std::filesystem::path& path) : window(path) {}
+    explicit Impl(const std::filesystem::path& file) : path(file), window(file) {}
 
+    std::filesystem::path path;
     EntryWindow window;
     RawlogSummary summary;
     int openWrappers = 0;  // rawlog objects whose end has not been met
@@ -80,7 +82,7 @@ struct RawlogReader::Impl
     std::uint64_t gapBytes = 0;
     std::string endsInside;  // what the stream ended in, if the last entry is no object
 
-    void checkIsRawlog(const std::filesystem::path& path)
+    void checkIsRawlog()
     {
         if (!window.require(1))
         {
@@ -93,36 +95,12 @@ struct RawlogReader::Impl
         const bool object = header && (header->isNull() || isReadableClass(header->className));
         // Of an unknown class, or damaged in its first bytes: then others follow.
         if (object) return;
-        const std::size_t entry = findEntry(1, kNearStart);
+        const std::size_t entry = findEntry(window, 1, kNearStart);
         if (entry < kNearStart && entry < window.loaded().size()) return;
         const bool unknownClass = header && header->className.find("::") != std::string::npos;
         if (unknownClass) return;
         throw std::runtime_error(path.string() + ": not a rawlog" +
                                  kindOfForeignFile(window.loaded()));
-    }
-
-    /// Position in the window of the first begin of an entry from `from` on, below `limit`; the end
-    /// of the stream, or `limit`, where there is none. `className`: begins also an entry where it
-    /// stands behind an end flag.
-    std::size_t findEntry(std::size_t from, std::size_t limit, const std::string& className = {})
-    {
-        const std::string again =
-            className.empty()
-                ? std::string()
-                : kEndFlag + std::string(1, static_cast<char>(0x80 | className.size())) + className;
-        const char initial = className.empty() ? 'C' : className.front();
-        for (std::size_t at = from; at < limit; ++at)
-        {
-            window.require(at + kLongestHeader);
-            const std::string_view bytes = window.loaded();
-            at = std::min(nextNameAt(bytes, at, initial), limit - 1);
-            if (at >= bytes.size()) return bytes.size();
-            if (beginsEntry(bytes.substr(at, kLongestHeader))) return at;
-            const bool sameClass =
-                !again.empty() && bytes.compare(at - 1, again.size(), again) == 0;
-            if (sameClass) return at;
-        }
-        return limit;
     }
 
     RawlogEntry take(RawlogEntry::Kind kind, std::size_t bytes, std::string problem = {})
@@ -246,7 +224,7 @@ struct RawlogReader::Impl
     /// What cannot be read, up to where reading can go on.
     RawlogEntry skip(RawlogEntry::Kind kind, std::string problem, const std::string& className = {})
     {
-        const std::size_t bytes = findEntry(1, kLargestGap, className);
+        const std::size_t bytes = findEntry(window, 1, kLargestGap, className);
         RawlogEntry entry = take(kind, bytes, std::move(problem));
         inGap = bytes == kLargestGap && window.require(1) && !beginsHere();
         gapBytes = inGap ? gapBytes + bytes : 0;
@@ -266,9 +244,10 @@ struct RawlogReader::Impl
         const bool lost = last && (last->kind == RawlogEntry::Kind::Unknown ||
                                    last->kind == RawlogEntry::Kind::Damaged);
         std::string why = window.input().problem();
+        const bool ended = window.input().readError().empty() && !window.require(1);
         if (isInEndlessGap())
             why += std::string(why.empty() ? "" : "; ") + "no object in 1 GB of bytes";
-        if (why.empty() && lost && !endsInside.empty() && !window.require(1))
+        if (why.empty() && lost && !endsInside.empty() && ended)
         {
             why = "the file ends inside " + endsInside;
         }
@@ -282,7 +261,7 @@ RawlogReader::RawlogReader(const std::filesystem::path& path)
 {
     registerClasses();
     impl_ = std::make_unique<Impl>(path);
-    impl_->checkIsRawlog(path);
+    impl_->checkIsRawlog();
 }
 
 RawlogReader::~RawlogReader() = default;
@@ -292,6 +271,8 @@ std::optional<RawlogEntry> RawlogReader::next()
     std::optional<RawlogEntry> entry;
     if (!impl_->isInEndlessGap() && impl_->window.require(1)) entry = impl_->readEntry();
     impl_->noteTruncation(entry);
+    const std::string& error = impl_->window.input().readError();
+    if (!entry && !error.empty()) throw ReadError(impl_->path.string() + ": read error: " + error);
     return entry;
 }
 

@@ -96,6 +96,10 @@ Annotations readAnnotations(const std::filesystem::path& path)
         while (const auto entry = reader.next())
             if (entry->object) reading.take(*entry->object);
     }
+    catch (const ReadError&)
+    {
+        throw;  // it names the file
+    }
     catch (const std::runtime_error& error)
     {
         throw std::runtime_error(path.string() + ": " + error.what());

@@ -32,6 +32,7 @@ public:
                 while (!scan.done) take(*pending_.earliestScanUntil(scan.time));
             pending_.popFirst();
         }
+        if (!pending_.readError().empty()) throw ReadError(pending_.readError());
         summary_.tablesUnused = annotations_.tables.size() - summary_.frames;
         summary_.interrupted = stop;
         return summary_;

@@ -45,7 +45,8 @@ public:
           pending_(reader_, ins_, job.configuration.scan),
           frames_(job.configuration.scan, job.input, ins_, summary_),
           tracker_(job.configuration.tracker),
-          outputs_(job)
+          outputs_(job),
+          nis_(job.nis ? NisCollector::Rows::Keep : NisCollector::Rows::Drop)
     {
         observeStages();
     }
@@ -184,6 +185,7 @@ private:
     {
         summary_.interrupted = interrupted;
         summary_.read = reader_.summary();
+        summary_.readError = pending_.readError();
         summary_.insSource = ins_.sourceName();
         summary_.ins = ins_.report();
         summary_.nis = nis_.report();
@@ -195,6 +197,7 @@ private:
     {
         if (summary_.frames > 0) return;
         outputs_.discard();
+        if (!summary_.readError.empty()) throw ReadError(summary_.readError);
         throw std::runtime_error(job_.input.string() + ": " + whyNoFrame());
     }
 
@@ -216,7 +219,8 @@ private:
         if (summary_.withoutPose > 0)
             return "no INS pose at the time of any scan (" + std::to_string(summary_.scans) +
                    " scans; poses: " + (summary_.insSource.empty() ? "none" : summary_.insSource) +
-                   "); see section [ins] of the configuration";
+                   "); see section [ins] of the configuration" +
+                   (summary_.ins.taken > 0 ? ", and whether scans and poses have one clock" : "");
         return "no scan could be read: " + summary_.firstUnreadable;
     }
 

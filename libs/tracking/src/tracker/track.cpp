@@ -125,13 +125,20 @@ Track predictedTrack(Track track, double dt, VehicleKalmanFilter& filter,
     return track;
 }
 
-TrackReport reportOf(const Track& track, const VisibilityOptions& options)
+TrackReport reportOf(const Track& track, const VisibilityOptions& options,
+                     const Eigen::Vector3d& origin)
 {
+    const auto inWorld = [&origin](OrientedBox box)
+    {
+        box.x += origin.x();
+        box.y += origin.y();
+        return box;
+    };
     TrackReport report;
     report.id = track.id;
     report.status = track.status;
-    report.box = track.box();
-    report.z = track.groundZ;
+    report.box = inWorld(track.box());
+    report.z = track.groundZ + origin.z();
     report.height = track.height;
     report.speed = track.state.mean(kSpeed);
     report.yawRate = track.state.yawRate();
@@ -151,7 +158,7 @@ TrackReport reportOf(const Track& track, const VisibilityOptions& options)
         report.points = track.measurement->hits;
         report.match = track.measurement->match;
         report.facesSeen = track.measurement->facesSeen;
-        report.measuredBox = track.measurement->box;
+        report.measuredBox = inWorld(track.measurement->box);
         report.nis = track.nis;
         report.features = track.features;
     }

@@ -80,6 +80,8 @@ Track movedBy(Track track, const Eigen::Vector3d& by);
 Track predictedTrack(Track track, double dt, VehicleKalmanFilter& filter,
                      const MotionOptions& options);
 
-TrackReport reportOf(const Track& track, const VisibilityOptions& options);
+/// In the world, where the track's origin is at `origin` (m).
+TrackReport reportOf(const Track& track, const VisibilityOptions& options,
+                     const Eigen::Vector3d& origin);
 
 }  // namespace vdamf

@@ -17,24 +17,6 @@
 
 namespace vdamf
 {
-namespace
-{
-OrientedBox movedBy(OrientedBox box, const Eigen::Vector3d& by)
-{
-    box.x += by.x();
-    box.y += by.y();
-    return box;
-}
-
-TrackReport movedBy(TrackReport report, const Eigen::Vector3d& by)
-{
-    report.box = movedBy(report.box, by);
-    if (report.measuredBox) report.measuredBox = movedBy(*report.measuredBox, by);
-    report.z += by.z();
-    return report;
-}
-}  // namespace
-
 class Tracker::Impl
 {
 public:
@@ -261,9 +243,8 @@ private:
         result.clusters = segmented.clusters.size();
         result.tracks.reserve(tracks_.size());
         for (const Track& track : tracks_)
-            result.tracks.push_back(
-                movedBy(discriminator_.withProbability(reportOf(track, options_.visibility), track),
-                        frame.origin));
+            result.tracks.push_back(discriminator_.withProbability(
+                reportOf(track, options_.visibility, frame.origin), track));
         return result;
     }
 

@@ -3,6 +3,7 @@
 // updates, without truth.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -22,32 +23,44 @@ struct TrackNis
 
 struct NisReport
 {
-    Consistency all;               ///< of the updates of all confirmed tracks
-    std::vector<TrackNis> tracks;  ///< by rising id
+    static constexpr std::size_t kMostWorst = 10;
+
+    Consistency all;  ///< of the updates of all confirmed tracks
+    /// How many tracks there are of each Verdict.
+    std::array<std::uint64_t, 5> verdicts{};
+    /// Tracks with as many updates as a verdict needs that are not consistent, at most kMostWorst:
+    /// first those with a mean above 1, by falling mean, then the others, by rising mean.
+    std::vector<TrackNis> worst;
+    std::vector<TrackNis> tracks;  ///< by rising id, where rows are kept
 };
 
-/// Gathers the NIS of the updates of confirmed tracks: 8 bytes an update of a track that lives, a
-/// row of the report for one that has ended, and 8 MB for all of them together: behind so many
-/// updates, `all` is told from every second one, then from every fourth, and so on.
+/// Gathers the NIS of the updates of confirmed tracks: 8 bytes an update of a track that lives,
+/// and 8 MB for all of them together: behind so many updates, `all` is told from every second one,
+/// then from every fourth, and so on. Rows, if they are kept, are 100 bytes a track.
 class NisCollector
 {
 public:
+    enum class Rows
+    {
+        Keep,
+        Drop
+    };
+    explicit NisCollector(Rows rows) : keepsRows_(rows == Rows::Keep) {}
+
     void add(const FrameResult& frame);
     NisReport report() const;
 
 private:
     void addToAll(double nis);
+    void addTo(NisReport& report, const TrackNis& track) const;
 
+    bool keepsRows_;
     std::map<std::uint64_t, std::vector<double>> living_;  ///< by track
-    std::vector<TrackNis> ended_;
+    NisReport ended_;                                      ///< of those that have ended
     std::vector<double> all_;
     std::uint64_t updates_ = 0;
     std::uint64_t stride_ = 1;  ///< of the updates that are in all_
 };
-
-/// Tracks with as many updates as a verdict needs that are not consistent, at most `most` of them:
-/// first those with a mean above 1, by falling mean, then the others, by rising mean.
-std::vector<TrackNis> worstOf(const NisReport& report, std::size_t most);
 
 /// too_few, consistent, overconfident, underconfident, heavy_tailed.
 const char* verdictName(Verdict verdict);

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -49,6 +50,13 @@ struct RawlogSummary
     std::string truncation;             ///< what was met there
 };
 
+/// The system could not read on: a failing disk or network, not the end of the file.
+class ReadError : public std::runtime_error
+{
+public:
+    using std::runtime_error::runtime_error;
+};
+
 /// Streams the entries of a rawlog in file order. Memory holds one entry at a time.
 class RawlogReader
 {
@@ -63,6 +71,7 @@ public:
     /// The next entry, or nothing at the end of the file (or where a truncated file ends, or where
     /// 1 GB of bytes held no object).
     /// Concatenated `bytes` of all entries are the whole uncompressed file.
+    /// Throws ReadError behind the last of the entries that could be read.
     std::optional<RawlogEntry> next();
 
     const RawlogSummary& summary() const;

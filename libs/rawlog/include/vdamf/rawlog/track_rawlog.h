@@ -48,10 +48,12 @@ struct TrackRawlogSummary
     std::uint64_t scans = 0;                 ///< in the range asked for, with a time stamp
     std::uint64_t frames = 0;                ///< tracked and annotated
     std::uint64_t withoutPose = 0;           ///< scans skipped: no INS pose at their time
-    std::uint64_t outOfOrder = 0;            ///< scans skipped: not later than the one before
+    std::uint64_t outOfOrder = 0;            ///< scans skipped: earlier than the one before
+    std::uint64_t atOneTime = 0;             ///< scans skipped: at the time of the one before
     std::uint64_t unstamped = 0;             ///< scans skipped: without a time stamp
     std::uint64_t unreadable = 0;            ///< scans skipped: cannot be read
     std::uint64_t merged = 0;                ///< scans that joined the frame of another sensor
+    std::uint64_t withoutHits = 0;           ///< scans (tracked) that have none
     std::uint64_t partlyDeskewed = 0;        ///< scans with hits at whose time there is no INS pose
     std::string firstUnreadable;             ///< why
     std::vector<std::string> sensors;        ///< labels of the scans, the first eight
@@ -63,6 +65,8 @@ struct TrackRawlogSummary
     double readSeconds = 0.0, frameSeconds = 0.0, writeSeconds = 0.0;
     std::array<double, 8> stageSeconds{};  ///< by Stage
     NisReport nis;
+    /// Why the input could not be read on, where the frames end; empty: it was read to its end.
+    std::string readError;
     bool interrupted = false;
 };
 
@@ -74,12 +78,12 @@ using FrameListener =
 /// trackRawlog() checks it too, before it opens any output.
 void checkPaths(const TrackRawlogJob& job);
 
-/// Runs the job. Memory does not grow with the input, but for a row of the NIS report a track: a
-/// scan waits for INS poses at most over one second of entries behind its end, and for earlier
-/// scans that stand behind it in the file over 0.2 seconds. Outputs appear under their names when
-/// whole; after an error (thrown as std::runtime_error, its message names the file and the cause)
-/// or an interruption the frames done so far are in `<output>.partial`. `stop`, set from a signal
-/// handler, ends the run after the current frame.
+/// Runs the job. Memory does not grow with the input, but for a row of the NIS table a track, where
+/// that is asked for: a scan waits for INS poses at most over one second of entries behind its end,
+/// and for earlier scans that stand behind it in the file over 0.2 seconds. Outputs appear under
+/// their names when whole; after an error (thrown as std::runtime_error, its message names the file
+/// and the cause) or an interruption the frames done so far are in `<output>.partial`. `stop`, set
+/// from a signal handler, ends the run after the current frame.
 TrackRawlogSummary trackRawlog(const TrackRawlogJob& job, const std::atomic<bool>& stop,
                                const FrameListener& listener = {});
 
