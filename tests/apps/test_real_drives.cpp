@@ -175,9 +175,12 @@ TEST_F(RealDrive, BoxesTheParkedCarsOfDrive0001)
     run("2011_09_26_drive_0001_sync");
     if (IsSkipped() || HasFatalFailure()) return;
     expectOriginalKept();
-    EXPECT_GT(parkedShare(), 0.75);
+    EXPECT_GT(parkedShare(), 0.8);
+    // Far away and from behind: few hits on its side, none of them near its front.
     const ObjectScore& tram = objects_.at("Tram 3");
     EXPECT_GT(tram.boxes, 50);
+    EXPECT_EQ(tram.seenFromTo.size(), 1U) << "identities of the tram";
+    EXPECT_NEAR(tram.speed / tram.boxes, tram.truthSpeed / tram.boxes, 0.5);
 }
 
 }  // namespace

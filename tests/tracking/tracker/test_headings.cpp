@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Which side of a box is taken for the front, where one side or a part of it is in view.
+#include <gtest/gtest.h>
+
+#include "tracking/tracker/example_frames.h"
+#include "vdamf/tracking/tracker/tracker.h"
+
+namespace vdamf
+{
+namespace
+{
+const TrackReport* confirmedNear(const FrameResult& frame, const Eigen::Vector2d& position)
+{
+    for (const TrackReport& track : frame.tracks)
+        if (track.status == TrackStatus::Confirmed && (track.box.centre() - position).norm() < 3.0)
+            return &track;
+    return nullptr;
+}
+
+double degreesOff(double heading, double truth, double period)
+{
+    return std::abs(std::remainder(heading - truth, period)) * 180.0 / kPi;
+}
+
+// A body that drives steadily, seen from where the sensor stands.
+struct Scene
+{
+    OrientedBox box;
+    double height = 1.5;
+    double speed = 0.0;
+    double sensorSpeed = 0.0;
+    std::vector<ExampleBody> others = {};
+};
+
+// Largest error of the heading in degrees, modulo `period` (rad), from a frame on.
+double worstHeading(const Scene& scene, int frames, int from, double period)
+{
+    Tracker tracker{TrackerOptions()};
+    double worst = 0.0;
+    for (int k = 0; k < frames; ++k)
+    {
+        const double t = 0.1 * k;
+        OrientedBox box = scene.box;
+        box.x += t * scene.speed * std::cos(box.heading);
+        box.y += t * scene.speed * std::sin(box.heading);
+        std::vector<ExampleBody> bodies = scene.others;
+        bodies.push_back({box, scene.height});
+        const FrameResult r = tracker.process(
+            exampleFrame(t, {scene.sensorSpeed * t, 0.0}, bodies, 300U + unsigned(k)));
+        if (k < from) continue;
+        const TrackReport* track = confirmedNear(r, box.centre());
+        if (track == nullptr) return 180.0;
+        worst = std::max(worst, degreesOff(track->box.heading, box.heading, period));
+    }
+    return worst;
+}
+
+TEST(Headings, WideEndsOfCarsAreNoSides)
+{
+    EXPECT_LT(worstHeading({{20.0, 0.5, 0.0, 4.6, 2.2}}, 20, 5, kPi), 10.0);
+}
+
+TEST(Headings, WideEndsOfTrucksAreNoSides)
+{
+    EXPECT_LT(worstHeading({{25.0, 0.5, 0.0, 9.0, 2.6}, 2.9}, 20, 5, kPi), 10.0);
+}
+
+TEST(Headings, SidesOfCarsAreNoEnds)
+{
+    EXPECT_LT(worstHeading({{20.0, 0.5, 0.5 * kPi, 4.2, 1.8}}, 20, 5, kPi), 10.0);
+}
+
+TEST(Headings, ASideThatComesOutOfHidingIsNoEnd)
+{
+    // A van hides its rear half at first, less and less as the sensor drives on.
+    const Scene scene{
+        {22.0, 12.0, 0.0, 4.4, 1.8}, 1.5, 0.0, 6.0, {{{9.0, 6.5, 0.0, 5.0, 2.0}, 2.5}}};
+    EXPECT_LT(worstHeading(scene, 30, 18, kPi), 10.0);
+}
+
+TEST(Headings, SlowVehiclesHaveTheirFrontAheadSoon)
+{
+    // Seen from ahead, where new tracks are taken to drive away.
+    EXPECT_LT(worstHeading({{25.0, 1.0, kPi, 4.4, 1.8}, 1.5, 1.5}, 25, 12, 2.0 * kPi), 10.0);
+}
+
+TEST(Headings, ParkedCarsCloseByKeepTheirs)
+{
+    // Its side is 2.2 m beside the sensor.
+    const Scene scene{{12.0, -3.1, 0.0, 4.4, 1.8}, 1.5, 0.0, 8.0};
+    EXPECT_LT(worstHeading(scene, 28, 5, kPi), 3.0);
+}
+
+}  // namespace
+}  // namespace vdamf
