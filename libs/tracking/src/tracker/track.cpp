@@ -66,11 +66,13 @@ Track sightedTrack(const Track& before, const Sighting& sighting, VehicleKalmanF
     BoxMeasurement box =
         boxThrough(m, faceErrors(m, then, visibility), then.size(), sighting.sensor, visibility);
     box.lag = sighting.lag;
-    track.nis = innovationOf(then, box).nis();
+    track.nis = innovationOf(then, withJitterAlone(box, before.jitter)).nis();
     hypotheses.forEach(
         [&](const VehicleState& state)
         { return openToGrowth(state, broughtTo(state, m, box.lag, options.motion), visibility); });
-    track.hypotheses = updated(hypotheses, box, filter, options.lifecycle.nisGate);
+    track.jitter = before.jitter.after(then, box, sighting.time - before.lastSeen);
+    track.hypotheses = updated(hypotheses, box, before.jitter, filter, options.lifecycle.nisGate);
+    track.lastingError = lastingError(box, before.jitter);
     track.told = before.told.with(m);
     track.state = track.hypotheses.combined(options.motion);
     track.measurement = m;
@@ -91,7 +93,8 @@ Track predictedTrack(const Track& before, double dt, VehicleKalmanFilter& filter
                      const MotionOptions& options)
 {
     Track track = before;
-    track.hypotheses = predicted(before.hypotheses, dt, filter, options);
+    track.hypotheses =
+        drifted(predicted(before.hypotheses, dt, filter, options), before.lastingError, dt);
     // Unseen, a vehicle is likelier to go straight on than to keep turning in a circle.
     constexpr double kTurnTime = 0.7;  // s
     if (before.misses > 0)
@@ -119,10 +122,15 @@ TrackReport reportOf(const Track& track, const VisibilityOptions& options)
     const Eigen::Vector2d left = rotation(track.state.mean(kHeading)).col(1);
     report.covariance.topLeftCorner<2, 2>() +=
         0.25 * track.state.widthVariance * left * left.transpose();
-    const double position = std::pow(options.lastingPosition, 2);
+    report.covariance.topLeftCorner<3, 3>() += track.lastingError;
+    // What lasts of the measurements' errors is at least what the options say.
+    const auto lacking = [](double least, double known)
+    { return std::max(0.0, least * least - known); };
+    const double position =
+        lacking(options.lastingPosition, 0.5 * track.lastingError.topLeftCorner<2, 2>().trace());
+    const double heading = lacking(options.lastingHeading, track.lastingError(2, 2));
     const double size = std::pow(options.lastingSize, 2);
-    report.covariance.diagonal() +=
-        Eigen::Vector4d(position, position, std::pow(options.lastingHeading, 2), 0.0);
+    report.covariance.diagonal() += Eigen::Vector4d(position, position, heading, 0.0);
     report.lengthVariance = track.state.covariance(kLength, kLength) + size;
     report.widthVariance = track.state.widthVariance + size;
     if (track.measurement)

@@ -107,7 +107,7 @@ private:
         all.reserve(tracks_.size());
         for (const Track& track : tracks_)
         {
-            all.push_back({relativeTo(track.box(), origin), positionSigma(track),
+            all.push_back({relativeTo(track.box(), origin), track.positionSigma(),
                            track.lengthSigma(), track.widthSigma(), track.velocity()});
         }
         return all;
@@ -143,15 +143,10 @@ private:
                               Eigen::Vector2d(start.length, start.width), options_.measurement);
         };
         Sighting best = from(start);
-        if (positionSigma(track) < kVague && best.measurement.match > kPoorMatch * track.lastMatch)
+        if (track.positionSigma() < kVague && best.measurement.match > kPoorMatch * track.lastMatch)
             return best;
         Sighting other = from(movedOntoHits(start, seen.hits, frame.sensorInFrame()));
         return other.measurement.match > best.measurement.match ? other : best;
-    }
-
-    static double positionSigma(const Track& track)
-    {
-        return std::sqrt(0.5 * track.state.covariance.topLeftCorner<2, 2>().trace());
     }
 
     void updateTracks(double time, const std::vector<std::optional<Sighting>>& sightings)
