@@ -144,7 +144,7 @@ int exitCodeOf(const Cli& cli, const vdamf::TrackRawlogSummary& summary)
     {
         std::fprintf(stderr, "%s; the %llu frames before are done\n", summary.readError.c_str(),
                      frames);
-        return kFailed;
+        return vdamf::kFailed;
     }
     if (summary.read.truncated)
     {

@@ -11,6 +11,7 @@
 #include "regression/bounds.h"
 #include "regression/comparison.h"
 #include "regression/run.h"
+#include "regression/seeds.h"
 #include "regression/tables.h"
 #include "vdamf/files/output_file.h"
 
@@ -34,6 +35,7 @@ struct Cli
     std::vector<std::string> only;
     std::vector<std::string> set;
     unsigned jobs = std::max(1U, std::thread::hardware_concurrency());
+    int seeds = 0;
     bool fast = false;
     bool keep = false;
 };
@@ -43,6 +45,9 @@ void declare(CLI::App& app, Cli& cli)
     CLI::Option* only =
         app.add_option("--only", cli.only, "scenarios to run, by commas")->delimiter(',');
     app.add_flag("--fast", cli.fast, "a few scenarios, in half a minute")->excludes(only);
+    app.add_option("--seeds", cli.seeds,
+                   "each simulated scenario with so many seeds: ANEES with its 95 % band")
+        ->check(CLI::Range(1, 10000));
     app.add_option("--data", cli.data,
                    "folder with recordings: KITTI raw drives, av2_samples of Argoverse 2")
         ->check(CLI::ExistingDirectory);
@@ -123,7 +128,8 @@ int run(const Cli& cli)
 {
     const vdamf::Catalogue catalogue =
         vdamf::catalogueOf(fs::path(cli.source) / "datasets", cli.data);
-    const auto scenarios = vdamf::chosenFrom(catalogue, cli.only, cli.fast);
+    auto scenarios = vdamf::chosenFrom(catalogue, cli.only, cli.fast);
+    if (cli.seeds > 0) scenarios = vdamf::withSeeds(scenarios, cli.seeds);
     // Read first: the earlier table may be the one that is about to be replaced.
     const std::vector<vdamf::Bound> bounds = vdamf::readBounds(cli.bounds);
     std::vector<vdamf::RegressionRow> before;
@@ -140,7 +146,11 @@ int run(const Cli& cli)
     writeFile(out / "regression.csv", vdamf::toCsv(results.rows));
     writeFile(out / "regression.md", "# Regression\n\n" + vdamf::markdownTable(results.rows) +
                                          "\n" + vdamf::tableLegend() + problems);
-    std::printf("%s%s", vdamf::terminalTable(results.rows).c_str(), vdamf::tableLegend().c_str());
+    if (cli.seeds > 0)
+        std::printf("%s", vdamf::seedsTable(results.rows).c_str());
+    else
+        std::printf("%s%s", vdamf::terminalTable(results.rows).c_str(),
+                    vdamf::tableLegend().c_str());
     if (!cli.compare.empty())
         std::printf("\nCompared with %s:\n%s", cli.compare.c_str(),
                     vdamf::inWords(vdamf::compared(before, results.rows)).c_str());

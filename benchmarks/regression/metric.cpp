@@ -12,6 +12,7 @@ namespace
 {
 constexpr double kPercent = 100.0;
 constexpr double kCentimetres = 100.0;
+constexpr int kInFilesOnly = 0;        // width
 constexpr double kNoiseOfTimes = 0.5;  // programs run side by side
 
 // clang-format off
@@ -35,6 +36,12 @@ const std::vector<Metric> kMetrics = {
     {"length_median_m", "length cm", "/errors/length_m/median", "len", "cm", kCentimetres},
     {"width_median_m", "width cm", "/errors/width_m/median", "wid", "cm", kCentimetres},
     {"phantom_speed_p95_mps", "phantom speed m/s", "/phantom_speed_mps/p95", "phan", "m/s"},
+    {"standing_scatter_rms_m", "scatter of what stands cm", "/standing_scatter_m/rms", "", "",
+     kCentimetres, kInFilesOnly},
+    {"nees_speed_mean", "NEES speed", "/consistency/nees_speed/mean", "", "", 1.0, kInFilesOnly, 2,
+     Better::NearOne},
+    {"nees_size_mean", "NEES size", "/consistency/nees_size/mean", "", "", 1.0, kInFilesOnly, 2,
+     Better::NearOne},
     {"nees_pose_mean", "NEES pose", "/consistency/nees_pose/mean", "NEES", "pose", 1.0, 5, 2,
      Better::NearOne},
     {"nis_mean", "NIS", "/consistency/nis_of_tracks_on_objects/mean", "NIS", "", 1.0, 5, 2,
@@ -85,7 +92,9 @@ MetricValues valuesOf(const nlohmann::json& evaluation, std::optional<double> mi
 std::string shown(const Metric& metric, std::optional<double> value)
 {
     if (!value) return "-";
-    const auto room = static_cast<std::size_t>(metric.width - 1);
+    constexpr int kWidthInFiles = 6;
+    const int width = metric.width > 0 ? metric.width : kWidthInFiles;
+    const auto room = static_cast<std::size_t>(width - 1);
     for (int decimals = metric.decimals; decimals > 0; --decimals)
     {
         const std::string text = toFixedText(*value * metric.scale, decimals);

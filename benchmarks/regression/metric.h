@@ -28,8 +28,8 @@ struct Metric
     const char* group;    ///< upper line of the heading in printed tables
     const char* heading;  ///< lower line
     double scale = 1.0;   ///< from the CSV's unit to the printed one
-    int width = 5;        ///< characters in printed tables, the blank before it included
-    int decimals = 2;     ///< at most
+    int width = 5;     ///< characters in tables on a terminal with the blank before; 0: not there
+    int decimals = 2;  ///< at most
     Better better = Better::Lower;
     double noise = 0.0;  ///< relative change that means nothing
 };

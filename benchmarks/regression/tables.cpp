@@ -28,7 +28,8 @@ std::string terminalLine(const RegressionRow& row)
 {
     std::string line = nameCell(row.scenario);
     for (std::size_t k = 0; k < metrics().size(); ++k)
-        line += rightAligned(shown(metrics()[k], row.values[k]), metrics()[k].width);
+        if (metrics()[k].width > 0)
+            line += rightAligned(shown(metrics()[k], row.values[k]), metrics()[k].width);
     return line + "\n";
 }
 

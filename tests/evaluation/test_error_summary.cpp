@@ -91,5 +91,21 @@ TEST(ErrorSummary, PhantomSpeedIsThatOfStillObjects)
     EXPECT_DOUBLE_EQ(phantom.median, 0.3);
 }
 
+TEST(ErrorSummary, ScatterIsAroundTheMeanPlaceOfEachTrack)
+{
+    std::vector<PoseError> errors(5);
+    errors[0].longitudinal = 1.0;  // 0.1 from its mean, as the next one
+    errors[1].longitudinal = 1.2;
+    errors[2].trackId = 7;  // alone: a place of its own
+    errors[2].lateral = -3.0;
+    errors[3].objectId = "other";
+    errors[4].trueSpeed = 9.0;
+    errors[4].lateral = 50.0;
+    const ErrorStatistics scatter = standingScatter(errors, 0.3);
+    EXPECT_EQ(scatter.count, 4U);
+    EXPECT_NEAR(scatter.max, 0.1, 1e-12);
+    EXPECT_NEAR(scatter.rms, 0.1 / std::sqrt(2.0), 1e-12);
+}
+
 }  // namespace
 }  // namespace vdamf

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vdamf/evaluation/error_summary.h"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <map>
 #include <utility>
 
 namespace vdamf
@@ -127,6 +129,24 @@ ErrorStatistics phantomSpeed(const std::vector<PoseError>& errors, double stillS
         if (std::abs(error.trueSpeed) < stillSpeed) speeds.push_back(error.trackSpeed);
     }
     return statisticsOf(speeds);
+}
+
+ErrorStatistics standingScatter(const std::vector<PoseError>& errors, double stillSpeed)
+{
+    std::map<std::pair<std::string, std::uint64_t>, std::vector<Eigen::Vector2d>> places;
+    for (const PoseError& error : errors)
+    {
+        if (std::abs(error.trueSpeed) < stillSpeed)
+            places[{error.objectId, error.trackId}].emplace_back(error.longitudinal, error.lateral);
+    }
+    std::vector<double> distances;
+    for (const auto& [names, all] : places)
+    {
+        Eigen::Vector2d mean = Eigen::Vector2d::Zero();
+        for (const Eigen::Vector2d& place : all) mean += place / static_cast<double>(all.size());
+        for (const Eigen::Vector2d& place : all) distances.push_back((place - mean).norm());
+    }
+    return statisticsOf(distances);
 }
 
 }  // namespace vdamf

@@ -88,6 +88,7 @@ Evaluation withErrors(Evaluation evaluation, const Sequence& sequence)
     evaluation.errorsByFaces = byFaces(evaluation.pairs);
     evaluation.flipsOfMoving = flipsOfMoving(evaluation.pairs, evaluation.options.stillSpeed);
     evaluation.phantomSpeed = phantomSpeed(evaluation.pairs, evaluation.options.stillSpeed);
+    evaluation.standingScatter = standingScatter(evaluation.pairs, evaluation.options.stillSpeed);
     evaluation.consistency = consistencyReport(sequence, evaluation.pairs);
     return evaluation;
 }

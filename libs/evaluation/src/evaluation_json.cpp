@@ -196,6 +196,7 @@ std::string toJson(const Evaluation& e)
                        {"errors_by_faces_seen", groupsJson(e.errorsByFaces)},
                        {"flips_of_moving_objects", e.flipsOfMoving},
                        {"phantom_speed_mps", statisticsJson(e.phantomSpeed)},
+                       {"standing_scatter_m", statisticsJson(e.standingScatter)},
                        {"consistency",
                         {{"nees_pose", consistencyJson(c.neesPose)},
                          {"nees_speed", consistencyJson(c.neesSpeed)},

@@ -51,6 +51,12 @@ TEST(VehicleKalmanFilter, EqualsTextbookFilter)
         ASSERT_LT((s.mean - reference.mean).norm(), 1e-10) << k;
         ASSERT_LT((s.covariance - reference.covariance).norm(), 1e-10) << k;
 
+        // What motion tells of the length is not believed; the centre is the fixed point here.
+        StateMatrix apart = StateMatrix::Identity();
+        apart(kLength, kLength) = 0.0;
+        const double lengthVariance = reference.covariance(kLength, kLength);
+        reference.covariance = apart * reference.covariance * apart;
+        reference.covariance(kLength, kLength) = lengthVariance;
         const BoxMeasurement m = measurementNear(reference);
         Eigen::Matrix<double, 4, 7> h = Eigen::Matrix<double, 4, 7>::Zero();
         h.topLeftCorner<3, 3>().setIdentity();

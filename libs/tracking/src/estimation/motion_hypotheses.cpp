@@ -83,11 +83,56 @@ std::vector<double> likelihoods(const std::vector<Innovation>& foretold, double 
     return logs;
 }
 
-VehicleState updatedState(const VehicleState& state, BoxMeasurement measurement, double nis,
-                          VehicleKalmanFilter& filter, double gate)
+// A measured box, whole and with its jitter alone.
+struct Measured
 {
-    if (nis > gate) measurement.covariance *= nis / gate;
+    const BoxMeasurement& whole;
+    BoxMeasurement jitter;
+};
+
+// What a hypothesis foretold of it.
+struct Foretold
+{
+    Innovation whole, jitter;
+};
+
+// What lies outside the gate is not jitter: the view has changed, or the vehicle did the
+// unexpected.
+VehicleState updatedState(const VehicleState& state, const Measured& measured,
+                          const Foretold& foretold, VehicleKalmanFilter& filter, double gate)
+{
+    if (foretold.jitter.nis() <= gate) return filter.update(state, measured.jitter);
+    BoxMeasurement measurement = measured.whole;
+    if (foretold.whole.nis() > gate) measurement.covariance *= foretold.whole.nis() / gate;
     return filter.update(state, measurement);
+}
+
+// In the long run, for what is known to move: what drives on without being seen does not come to
+// stand from one frame to the next.
+double restProbability(const VehicleState& moving)
+{
+    constexpr double kPace = 2.5;  // m/s, from which vehicles come to stand
+    const double speed = moving.mean(kSpeed);
+    const double variance = kPace * kPace + moving.covariance(kSpeed, kSpeed);
+    return 0.5 * std::exp(-0.5 * speed * speed / variance);
+}
+
+// Probabilities after a measurement: that it stands, and of what moves, that it does so freely.
+struct Rest
+{
+    double standing = 0.0;
+    double free = 0.0;
+};
+
+Rest restOf(const MotionHypotheses& h, const std::vector<Innovation>& foretold, double gate)
+{
+    const std::vector<double> likelihood = likelihoods(foretold, gate);
+    const double wheels =
+        h.steadyProbability * likelihood[1] + (1.0 - h.steadyProbability) * likelihood[0];
+    const double free = h.freeProbability > 0.0 ? h.freeProbability * likelihood[3] : 0.0;
+    const double moves = free + (1.0 - h.freeProbability) * wheels;
+    const double stands = h.standingProbability * likelihood[2];
+    return {stands / (stands + (1.0 - h.standingProbability) * moves), free / moves};
 }
 
 // What follows its wheels, steadily or not.
@@ -145,7 +190,8 @@ MotionHypotheses predicted(const MotionHypotheses& h, double dt, VehicleKalmanFi
     next.moving = filter.predict(next.moving, dt);
     next.steady = filter.predict(next.steady, dt);
     next.standing = standingLater(h.standing, dt, options);
-    next.standingProbability = 0.5 + stays * (h.standingProbability - 0.5);
+    const double rest = restProbability(next.moving);
+    next.standingProbability = rest + stays * (h.standingProbability - rest);
     if (h.freeProbability > 0.0)
     {
         next.free = filter.predict(h.free, dt);
@@ -154,35 +200,50 @@ MotionHypotheses predicted(const MotionHypotheses& h, double dt, VehicleKalmanFi
     return next;
 }
 
-MotionHypotheses updated(const MotionHypotheses& h, const BoxMeasurement& measurement,
-                         VehicleKalmanFilter& filter, double nisGate)
+MotionHypotheses drifted(const MotionHypotheses& h, const Eigen::Matrix3d& lastingError, double dt)
 {
-    std::vector<Innovation> foretold;
+    constexpr double kViewTime = 1.2;  // s, after which a view is another one
+    MotionHypotheses next = h;
+    next.forEach(
+        [&](VehicleState state)
+        {
+            state.covariance.topLeftCorner<3, 3>() +=
+                std::min(1.0, 2.0 * dt / kViewTime) * lastingError;
+            return state;
+        });
+    return next;
+}
+
+MotionHypotheses updated(const MotionHypotheses& h, const BoxMeasurement& measurement,
+                         const JitterShares& jitter, VehicleKalmanFilter& filter, double nisGate)
+{
+    const Measured measured{measurement, withJitterAlone(measurement, jitter)};
+    std::vector<Innovation> whole;
+    std::vector<Innovation> sharp;
     MotionHypotheses next = h;
     const auto update = [&](VehicleState& state)
     {
-        foretold.push_back(
-            innovationOf(stateAt(state, measurement.lag, filter.options()), measurement));
-        state = updatedState(state, measurement, foretold.back().nis(), filter, nisGate);
+        const VehicleState then = stateAt(state, measurement.lag, filter.options());
+        whole.push_back(innovationOf(then, measured.whole));
+        sharp.push_back(innovationOf(then, measured.jitter));
+        state = updatedState(state, measured, {whole.back(), sharp.back()}, filter, nisGate);
     };
     for (VehicleState* state : {&next.moving, &next.steady, &next.standing}) update(*state);
-    if (foretold.front().nis() > nisGate)
+    if (whole.front().nis() > nisGate)
         next.moving.covariance(kSpeed, kSpeed) += kSurpriseSigma * kSurpriseSigma;
     if (h.freeProbability > 0.0) update(next.free);
 
-    const std::vector<double> likelihood = likelihoods(foretold, nisGate);
-    const double steady = h.steadyProbability * likelihood[1];
-    const double wheels = steady + (1.0 - h.steadyProbability) * likelihood[0];
-    next.steadyProbability = bounded(steady / wheels);
-    double moves = wheels;
-    if (h.freeProbability > 0.0)
-    {
-        const double free = h.freeProbability * likelihood[3];
-        moves = free + (1.0 - h.freeProbability) * wheels;
-        next.freeProbability = bounded(free / moves);
-    }
-    const double stands = h.standingProbability * likelihood[2];
-    next.standingProbability = bounded(stands / (stands + (1.0 - h.standingProbability) * moves));
+    const std::vector<double> manoeuvring = likelihoods({sharp[0], sharp[1]}, nisGate);
+    const double steady = h.steadyProbability * manoeuvring[1];
+    const double moving = (1.0 - h.steadyProbability) * manoeuvring[0];
+    next.steadyProbability = bounded(steady / (steady + moving));
+
+    const Rest rests = restOf(h, sharp, nisGate);
+    const Rest restsByAll = restOf(h, whole, nisGate);
+    // What stands seems to move as its view changes: jitter tells that it stands, and no more than
+    // the whole error that it does not.
+    next.standingProbability = bounded(std::max(rests.standing, restsByAll.standing));
+    if (h.freeProbability > 0.0) next.freeProbability = bounded(restsByAll.free);
     if (next.standingProbability < kRefuted)
         next.standing = atRest(share(next.freeProbability) > 0.5
                                    ? variableAxisOf(next.free, next.moving, filter.options())

@@ -2,6 +2,7 @@
 #include "vdamf/tracking/estimation/start_state.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 namespace vdamf
@@ -112,7 +113,10 @@ VehicleState startState(const Measurement& measurement, const Eigen::Vector2d& s
     p(kLength, kLength) = box.covariance(3, 3);
     p(kSpeed, kSpeed) = speed.sigma * speed.sigma;
     p(kCurvature, kCurvature) = kCurvatureSigma * kCurvatureSigma;
-    p(kAxis, kAxis) = axis * axis;
+    // The axle's prior goes with the length.
+    p.row(kAxis) = motion.axisFraction * p.row(kLength);
+    p.col(kAxis) = motion.axisFraction * p.col(kLength);
+    p(kAxis, kAxis) = axis * axis + std::pow(motion.axisFraction, 2) * p(kLength, kLength);
     return state;
 }
 

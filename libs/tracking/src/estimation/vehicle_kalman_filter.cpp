@@ -8,6 +8,26 @@
 
 namespace vdamf
 {
+namespace
+{
+// The state with its length known apart from its motion: told from a point of the box, what else
+// is known holds whatever the length is. Where a vehicle's heading jitters and its rear does not,
+// motion seems to tell of a long way between the two; that is not believed.
+VehicleState withLengthApart(const VehicleState& state, double fixedPoint)
+{
+    StateVector byLength = StateVector::Zero();
+    byLength.head<2>() = -0.5 * fixedPoint * rotation(state.mean(kHeading)).col(0);
+    if (state.steering != Steering::Independent) byLength(kAxis) = -0.5 * fixedPoint;
+    byLength(kLength) = 1.0;
+    StateMatrix apart = StateMatrix::Identity();  // all but the length, from that point
+    apart.col(kLength) -= byLength;
+    VehicleState next = state;
+    next.covariance = apart * state.covariance * apart.transpose() +
+                      state.covariance(kLength, kLength) * byLength * byLength.transpose();
+    return next;
+}
+}  // namespace
+
 class VehicleKalmanFilter::Engine : public mrpt::bayes::CKalmanFilterCapable<7, 4, 0, 0>
 {
 public:
@@ -43,6 +63,7 @@ public:
     {
         model_ = &modelFor(state.steering);
         measurement_ = &measurement;
+        width_ = state.width;
         m_xkk.asEigen() = state.mean;
         m_pkk.asEigen() = state.covariance;
         runOneKalmanIteration();
@@ -66,10 +87,17 @@ protected:
     {
         r.setIdentity();
         if (measurement_ == nullptr) return;
-        r.asEigen() = measurement_->covariance.topLeftCorner<4, 4>();
+        const auto toPoint =
+            byBox(measurement_->box(2), measurement_->box(3), measurement_->box(4));
+        Eigen::Matrix<double, 4, 5> j = Eigen::Matrix<double, 4, 5>::Zero();
+        j.leftCols<4>() = toPoint;
+        j.block<2, 1>(0, 4) =
+            0.5 * measurement_->fixedPoint.y() * rotation(measurement_->box(2)).col(1);
+        r.asEigen() = j * measurement_->covariance * j.transpose();
         if (measurement_->lag == 0.0) return;
         const StateMatrix q = model_->noise(m_xkk.asEigen(), measurement_->lag);
-        r.asEigen() += q(kMeasured, kMeasured);
+        const auto h = byBox(m_xkk[kHeading], m_xkk[kLength], width_);
+        r.asEigen() += h * q(kMeasured, kMeasured) * h.transpose();
     }
 
     void OnGetObservationsAndDataAssociation(vector_KFArray_OBS& z, std::vector<int>& association,
@@ -81,20 +109,23 @@ protected:
         z.clear();
         if (measurement_ == nullptr) return;
         z.resize(1);
-        z[0].asEigen() = measurement_->box.head<4>();
+        const Vector5d& box = measurement_->box;
+        z[0].asEigen() = pointOf(box.head<4>(), box(4));
     }
 
     void OnObservationModel(const std::vector<size_t>&,
                             vector_KFArray_OBS& predictions) const override
     {
         predictions.resize(1);
-        predictions[0].asEigen() = stateWhenMeasured()(kMeasured);
+        predictions[0].asEigen() = pointOf(stateWhenMeasured()(kMeasured), width_);
     }
 
     void OnObservationJacobians(size_t, KFMatrix_OxV& hx, KFMatrix_OxF&) const override
     {
         const double lag = measurement_ != nullptr ? measurement_->lag : 0.0;
-        hx.asEigen() = model_->jacobian(m_xkk.asEigen(), lag)(kMeasured, Eigen::indexing::all);
+        const StateVector then = stateWhenMeasured();
+        hx.asEigen() = byBox(then(kHeading), then(kLength), width_) *
+                       model_->jacobian(m_xkk.asEigen(), lag)(kMeasured, Eigen::indexing::all);
     }
 
     void OnSubstractObservationVectors(KFArray_OBS& a, const KFArray_OBS& b) const override
@@ -113,6 +144,34 @@ protected:
 private:
     static constexpr std::array<int, 4> kMeasured{kX, kY, kHeading, kLength};
 
+    // What is observed is the fixed point: it is known where the centre is not, whatever the
+    // headings of box and state.
+    Eigen::Vector2d offset(double length, double width) const
+    {
+        if (measurement_ == nullptr) return Eigen::Vector2d::Zero();
+        return 0.5 * measurement_->fixedPoint.cwiseProduct(Eigen::Vector2d(length, width));
+    }
+
+    // Fixed point, heading and length of a box (x, y, heading, length).
+    Eigen::Vector4d pointOf(const Eigen::Vector4d& box, double width) const
+    {
+        Eigen::Vector4d point = box;
+        point.head<2>() += rotation(box(2)) * offset(box(3), width);
+        return point;
+    }
+
+    // d pointOf / d (x, y, heading, length).
+    Eigen::Matrix4d byBox(double heading, double length, double width) const
+    {
+        const Eigen::Matrix2d r = rotation(heading);
+        const Eigen::Vector2d at = offset(length, width);
+        Eigen::Matrix4d j = Eigen::Matrix4d::Identity();
+        j.block<2, 1>(0, 2) = r * Eigen::Vector2d(-at.y(), at.x());
+        if (measurement_ != nullptr)
+            j.block<2, 1>(0, 3) = 0.5 * measurement_->fixedPoint.x() * r.col(0);
+        return j;
+    }
+
     const MotionModel& modelFor(Steering steering) const
     {
         if (steering == Steering::Independent) return independent_;
@@ -130,6 +189,7 @@ private:
     VariableAxisModel steady_;
     IndependentModel independent_;
     const MotionModel* model_ = &variableAxis_;
+    double width_ = 0.0;
     const BoxMeasurement* measurement_ = nullptr;
 };
 
@@ -157,7 +217,8 @@ VehicleState VehicleKalmanFilter::update(const VehicleState& state,
 {
     // The width that is known says where the centre is if only one side is seen.
     const BoxMeasurement centred = withKnown(measurement, 4, state.width, state.widthVariance);
-    VehicleState next = engine_->updated(state, centred);
+    VehicleState next =
+        engine_->updated(withLengthApart(state, measurement.fixedPoint.x()), centred);
     const double gain = state.widthVariance / (state.widthVariance + measurement.covariance(4, 4));
     next.width += gain * (measurement.box(4) - state.width);
     next.widthVariance *= 1.0 - gain;

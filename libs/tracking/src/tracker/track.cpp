@@ -68,11 +68,14 @@ Track sightedTrack(Track track, const Sighting& sighting, VehicleKalmanFilter& f
     BoxMeasurement box =
         boxThrough(m, faceErrors(m, then, visibility), then.size(), sighting.sensor, visibility);
     box.lag = sighting.lag;
-    track.nis = innovationOf(then, box).nis();
+    const JitterShares jitter = track.jitter;  // before this sighting
+    track.nis = innovationOf(then, withJitterAlone(box, jitter)).nis();
     hypotheses.forEach(
         [&](const VehicleState& state)
         { return openToGrowth(state, broughtTo(state, m, box.lag, options.motion), visibility); });
-    track.hypotheses = updated(hypotheses, box, filter, options.lifecycle.nisGate);
+    track.jitter = jitter.after(then, box, sighting.time - track.lastSeen);
+    track.hypotheses = updated(hypotheses, box, jitter, filter, options.lifecycle.nisGate);
+    track.lastingError = lastingError(box, jitter);
     track.told = track.told.with(m);
     track.state = track.hypotheses.combined(options.motion);
     track.measurement = m;
@@ -112,7 +115,8 @@ Track movedBy(Track track, const Eigen::Vector3d& by)
 Track predictedTrack(Track track, double dt, VehicleKalmanFilter& filter,
                      const MotionOptions& options)
 {
-    track.hypotheses = predicted(track.hypotheses, dt, filter, options);
+    track.hypotheses =
+        drifted(predicted(track.hypotheses, dt, filter, options), track.lastingError, dt);
     // Unseen, a vehicle is likelier to go straight on than to keep turning in a circle.
     constexpr double kTurnTime = 0.7;  // s
     if (track.misses > 0)
@@ -147,10 +151,15 @@ TrackReport reportOf(const Track& track, const VisibilityOptions& options,
     const Eigen::Vector2d left = rotation(track.state.mean(kHeading)).col(1);
     report.covariance.topLeftCorner<2, 2>() +=
         0.25 * track.state.widthVariance * left * left.transpose();
-    const double position = std::pow(options.lastingPosition, 2);
+    report.covariance.topLeftCorner<3, 3>() += track.lastingError;
+    // What lasts of the measurements' errors is at least what the options say.
+    const auto lacking = [](double least, double known)
+    { return std::max(0.0, least * least - known); };
+    const double position =
+        lacking(options.lastingPosition, 0.5 * track.lastingError.topLeftCorner<2, 2>().trace());
+    const double heading = lacking(options.lastingHeading, track.lastingError(2, 2));
     const double size = std::pow(options.lastingSize, 2);
-    report.covariance.diagonal() +=
-        Eigen::Vector4d(position, position, std::pow(options.lastingHeading, 2), 0.0);
+    report.covariance.diagonal() += Eigen::Vector4d(position, position, heading, 0.0);
     report.lengthVariance = track.state.covariance(kLength, kLength) + size;
     report.widthVariance = track.state.widthVariance + size;
     if (track.measurement)

@@ -10,6 +10,7 @@
 #include "tracker/sighting.h"
 #include "vdamf/tracking/discrimination/classify.h"
 #include "vdamf/tracking/estimation/heading_belief.h"
+#include "vdamf/tracking/estimation/jitter.h"
 #include "vdamf/tracking/estimation/motion_hypotheses.h"
 #include "vdamf/tracking/estimation/start_state.h"
 #include "vdamf/tracking/tracker/tracker.h"
@@ -31,6 +32,9 @@ struct Track
     TrackStatus status = TrackStatus::Tentative;
     MotionHypotheses hypotheses;
     VehicleState state;  ///< both together
+    JitterShares jitter;
+    Eigen::Matrix3d lastingError =
+        Eigen::Matrix3d::Zero();  ///< of the last sighting: x, y, heading
     double groundZ = 0.0;
     double height = 0.0;
     int sightings = 0;
@@ -51,6 +55,11 @@ struct Track
     {
         return rotation(state.mean(kHeading)) *
                Eigen::Vector2d(state.mean(kSpeed), state.mean(kAxis) * state.yawRate());
+    }
+    double positionSigma() const
+    {
+        const auto position = state.covariance.topLeftCorner<2, 2>();
+        return std::sqrt(0.5 * (position.trace() + lastingError.topLeftCorner<2, 2>().trace()));
     }
     double lengthSigma() const { return std::sqrt(state.covariance(kLength, kLength)); }
     double widthSigma() const { return std::sqrt(state.widthVariance); }

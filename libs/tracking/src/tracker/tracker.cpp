@@ -104,7 +104,7 @@ private:
         all.reserve(tracks_.size());
         for (const Track& track : tracks_)
         {
-            all.push_back({track.box(), positionSigma(track), track.lengthSigma(),
+            all.push_back({track.box(), track.positionSigma(), track.lengthSigma(),
                            track.widthSigma(), track.velocity()});
         }
         return all;
@@ -144,14 +144,9 @@ private:
         const bool isTurn =
             (track.id + static_cast<std::uint64_t>(track.sightings)) % kLookAgain == 0;
         if (!isTurn && discriminator_.rulesOut(track)) return {0.0, true};
-        const bool isVague = positionSigma(track) >= kVague;
+        const bool isVague = track.positionSigma() >= kVague;
         return {isVague ? std::numeric_limits<double>::infinity() : kPoorMatch * track.lastMatch,
                 false};
-    }
-
-    static double positionSigma(const Track& track)
-    {
-        return std::sqrt(0.5 * track.state.covariance.topLeftCorner<2, 2>().trace());
     }
 
     void updateTracks(double time, const std::vector<std::optional<Sighting>>& sightings)

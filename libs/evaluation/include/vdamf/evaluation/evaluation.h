@@ -74,6 +74,7 @@ struct Evaluation
     std::vector<ErrorGroup> errorsByFaces;
     std::size_t flipsOfMoving = 0;
     ErrorStatistics phantomSpeed;
+    ErrorStatistics standingScatter;
     ConsistencyReport consistency;
     std::optional<Roc> roc;  ///< nothing without probabilities of both vehicles and clutter
 };

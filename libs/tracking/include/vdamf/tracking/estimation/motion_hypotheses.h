@@ -7,6 +7,7 @@
 // what is reported is their mean, weighed with their probabilities.
 #pragma once
 
+#include "vdamf/tracking/estimation/jitter.h"
 #include "vdamf/tracking/estimation/vehicle_kalman_filter.h"
 #include "vdamf/tracking/types/vehicle_state.h"
 
@@ -41,9 +42,15 @@ MotionHypotheses hypothesesFrom(const VehicleState& state, const MotionOptions& 
 MotionHypotheses predicted(const MotionHypotheses& hypotheses, double dt,
                            VehicleKalmanFilter& filter, const MotionOptions& options);
 
-/// All after a measurement. One whose NIS is above `nisGate` counts less instead of losing the
-/// track. A standing hypothesis that was refuted starts again where the vehicle is.
+/// All with poses less certain by what the lasting error of measurements (covariance of x, y,
+/// heading) changes in `dt` seconds: the view changes, and that is no motion.
+MotionHypotheses drifted(const MotionHypotheses& hypotheses, const Eigen::Matrix3d& lastingError,
+                         double dt);
+
+/// All after a measurement, of whose variance a share is jitter. One whose NIS is above `nisGate`
+/// counts less instead of losing the track. A standing hypothesis that was refuted starts again
+/// where the vehicle is.
 MotionHypotheses updated(const MotionHypotheses& hypotheses, const BoxMeasurement& measurement,
-                         VehicleKalmanFilter& filter, double nisGate);
+                         const JitterShares& jitter, VehicleKalmanFilter& filter, double nisGate);
 
 }  // namespace vdamf

@@ -15,10 +15,10 @@ namespace vdamf
 {
 struct MotionOptions
 {
-    double accelerationSigma = 1.5;  ///< m/s^2, held for 0.1 s
+    double accelerationSigma = 4.0;  ///< m/s^2, held for 0.1 s
     double maxCurvatureRate = 0.25;  ///< 1/(m s)
     double lateralJerk = 8.0;        ///< m/s^3
-    double steadyShare = 0.1;
+    double steadyShare = 0.04;
     double slipSigma = 0.02;                  ///< m/sqrt(s)
     double headingSigma = 0.2 * kPi / 180.0;  ///< rad/sqrt(s)
     double axisSigma = 0.03;                  ///< m/sqrt(s)

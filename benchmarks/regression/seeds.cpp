@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "regression/seeds.h"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+#include "vdamf/evaluation/chi_square.h"
+
+namespace vdamf
+{
+namespace
+{
+constexpr double kTail = 0.025;
+
+struct Nees
+{
+    const char* title;
+    const char* metric;
+    int dimension;
+};
+constexpr std::array<Nees, 3> kNees{{{"pose", "nees_pose_mean", 3},
+                                     {"speed", "nees_speed_mean", 1},
+                                     {"size", "nees_size_mean", 2}}};
+
+struct Error
+{
+    const char* title;
+    const char* metric;
+};
+constexpr std::array<Error, 4> kErrors{{{"pos m", "position_rms_m"},
+                                        {"head deg", "heading_rms_deg"},
+                                        {"speed m/s", "speed_rms_mps"},
+                                        {"yaw deg/s", "yaw_rate_rms_degps"}}};
+
+struct Band
+{
+    double low = 0.0;
+    double high = 0.0;
+};
+
+// Of the mean over independent runs, per degree of freedom.
+Band bandOf(std::size_t runs, int dimension)
+{
+    const double freedom = static_cast<double>(runs) * dimension;
+    return {chiSquareQuantile(kTail, freedom) / freedom,
+            chiSquareQuantile(1.0 - kTail, freedom) / freedom};
+}
+
+using Group = std::pair<std::string, std::vector<RegressionRow>>;
+
+std::vector<Group> byScenario(const std::vector<RegressionRow>& rows)
+{
+    std::vector<Group> groups;
+    for (const RegressionRow& row : rows)
+    {
+        const std::string name = row.scenario.substr(0, row.scenario.find('/'));
+        if (groups.empty() || groups.back().first != name) groups.push_back({name, {}});
+        groups.back().second.push_back(row);
+    }
+    return groups;
+}
+
+std::vector<double> valuesOf(const Group& group, const char* metric)
+{
+    std::vector<double> values;
+    for (const RegressionRow& row : group.second)
+        if (const auto value = row.values[*metricIndex(metric)]) values.push_back(*value);
+    return values;
+}
+
+double meanOf(const std::vector<double>& values)
+{
+    double sum = 0.0;
+    for (const double value : values) sum += value;
+    return sum / static_cast<double>(values.size());
+}
+
+double rmsOf(std::vector<double> values)
+{
+    for (double& value : values) value *= value;
+    return std::sqrt(meanOf(values));
+}
+
+std::string cell(const char* format, double value)
+{
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), format, value);
+    return text.data();
+}
+
+std::string neesCell(const Group& group, const Nees& nees)
+{
+    const std::vector<double> values = valuesOf(group, nees.metric);
+    if (values.empty()) return "               -";
+    const Band band = bandOf(values.size(), nees.dimension);
+    const double mean = meanOf(values);
+    const char* mark = mean > band.high ? "*" : (mean < band.low ? "." : " ");
+    return cell("%7.2f", mean) + mark + cell(" %3.2f", band.low) + cell("-%3.2f", band.high);
+}
+
+std::string lineOf(const Group& group)
+{
+    std::array<char, 64> begin{};
+    std::snprintf(begin.data(), begin.size(), "%-26.26s%4zu", group.first.c_str(),
+                  group.second.size());
+    std::string line = begin.data();
+    for (const Nees& nees : kNees) line += neesCell(group, nees);
+    for (const Error& error : kErrors)
+    {
+        const std::vector<double> values = valuesOf(group, error.metric);
+        line += values.empty() ? "         -" : cell("%10.3f", rmsOf(values));
+    }
+    return line + "\n";
+}
+}  // namespace
+
+std::vector<RegressionScenario> withSeeds(const std::vector<RegressionScenario>& scenarios,
+                                          int count)
+{
+    std::vector<RegressionScenario> all;
+    for (const RegressionScenario& scenario : scenarios)
+    {
+        if (scenario.make.front() != "vdamf-simulate") continue;
+        for (int seed = 1; seed <= count; ++seed)
+        {
+            RegressionScenario one = scenario;
+            one.name += "/seed_" + std::to_string(seed);
+            one.make.insert(one.make.end(), {"--set", "scenario.seed=" + std::to_string(seed)});
+            all.push_back(std::move(one));
+        }
+    }
+    return all;
+}
+
+std::string seedsTable(const std::vector<RegressionRow>& rows)
+{
+    std::array<char, 192> heading{};
+    std::snprintf(heading.data(), heading.size(), "%-26s%4s%8s%-9s%8s%-9s%8s%-9s%10s%10s%10s%10s\n",
+                  "", "runs", kNees[0].title, "  95 %", kNees[1].title, "  95 %", kNees[2].title,
+                  "  95 %", kErrors[0].title, kErrors[1].title, kErrors[2].title, kErrors[3].title);
+    std::string table = "ANEES (1 is right; * too confident, . too cautious) and RMS errors\n";
+    table += heading.data();
+    for (const Group& group : byScenario(rows)) table += lineOf(group);
+    return table;
+}
+
+}  // namespace vdamf

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vdamf/tracking/estimation/jitter.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+namespace vdamf
+{
+namespace
+{
+constexpr double kMemory = 1.5;  // s
+// Of the variance: errors that last for some frames look like no error at all.
+constexpr double kLeastOfPlace = 0.1;
+constexpr double kLeastOfHeading = 0.3;
+constexpr double kSurprise = 4.0;  // of one measurement, over its variance, at most
+
+// d (fixed point along and across, heading, length, width) / d (x, y, heading, length, width).
+Matrix5d toFixedPoint(const BoxMeasurement& m)
+{
+    const Eigen::Vector2d offset = 0.5 * m.fixedPoint.cwiseProduct(m.box.tail<2>());
+    Matrix5d j = Matrix5d::Identity();
+    j.topLeftCorner<2, 2>() = rotation(-m.box(2));
+    j.block<2, 1>(0, 2) = Eigen::Vector2d(-offset.y(), offset.x());
+    j.block<2, 2>(0, 3) = (0.5 * m.fixedPoint).asDiagonal();
+    return j;
+}
+
+// The covariance with the errors of the fixed point and the heading times `pose`, those of sizes
+// times `size`.
+Matrix5d scaled(const BoxMeasurement& m, const Eigen::Vector3d& pose, double size)
+{
+    Vector5d factors;
+    factors << pose, size, size;
+    const Matrix5d there = toFixedPoint(m);
+    const Matrix5d j = there.inverse() * factors.asDiagonal() * there;
+    return j * m.covariance * j.transpose();
+}
+
+// What lasts is no larger than this: where a fit itself says that it does not know, as where a row
+// of hits may go on, its error comes and goes with the view.
+constexpr double kLastingPlace = 0.08;    // m
+constexpr double kLastingHeading = 0.01;  // rad
+
+Eigen::Vector3d shareOfJitter(const BoxMeasurement& m, const JitterShares& shares)
+{
+    const Matrix5d there = toFixedPoint(m);
+    const Eigen::Vector3d variance =
+        (there * m.covariance * there.transpose()).diagonal().head<3>();
+    Eigen::Vector3d share = shares.values();
+    for (Eigen::Index k = 0; k < 3; ++k)
+    {
+        const double lasting = k == 2 ? kLastingHeading : kLastingPlace;
+        share(k) = std::max(share(k), 1.0 - lasting * lasting / variance(k));
+    }
+    return share;
+}
+
+// Fixed point along and across and heading of an innovation.
+Innovation inBody(const Innovation& innovation, double heading)
+{
+    Eigen::Matrix3d r = Eigen::Matrix3d::Identity();
+    r.topLeftCorner<2, 2>() = rotation(-heading);
+    return {r * innovation.value, r * innovation.covariance * r.transpose()};
+}
+}  // namespace
+
+JitterShares JitterShares::after(const VehicleState& predicted, const BoxMeasurement& measurement,
+                                 double dt) const
+{
+    VehicleState exact = predicted;
+    exact.covariance.setZero();
+    exact.widthVariance = 0.0;
+    const double heading = measurement.box(2);
+    const Innovation whole = inBody(innovationOf(predicted, measurement), heading);
+    const Innovation fit = inBody(innovationOf(exact, measurement), heading);
+    JitterShares next = *this;
+    for (Eigen::Index k = 0; k < 3; ++k)
+    {
+        const double least = k == 2 ? kLeastOfHeading : kLeastOfPlace;
+        const double variance = fit.covariance(k, k);
+        const double seen = fit.value(k) * fit.value(k) / variance;
+        // Of what is seen, the prediction's error is to be expected.
+        const double expected = whole.covariance(k, k) / variance - 1.0;
+        const double share = std::min(seen, kSurprise) - expected;
+        // A vague prediction tells little of the measurement.
+        const double weight = (1.0 - std::exp(-dt / kMemory)) / std::pow(1.0 + expected, 2);
+        next.shares_(k) = std::clamp(shares_(k) + weight * (share - shares_(k)), least, 1.0);
+    }
+    return next;
+}
+
+BoxMeasurement withJitterAlone(const BoxMeasurement& measurement, const JitterShares& shares)
+{
+    BoxMeasurement m = measurement;
+    m.covariance = scaled(measurement, shareOfJitter(measurement, shares).cwiseSqrt(), 1.0);
+    return m;
+}
+
+Eigen::Matrix3d lastingError(const BoxMeasurement& measurement, const JitterShares& shares)
+{
+    const Eigen::Vector3d rest = Eigen::Vector3d::Ones() - shareOfJitter(measurement, shares);
+    return scaled(measurement, rest.cwiseSqrt(), 0.0).topLeftCorner<3, 3>();
+}
+
+}  // namespace vdamf

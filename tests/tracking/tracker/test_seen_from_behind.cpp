@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A car that is seen from behind alone for 10 s, then overtaken: what is known of its size and
+// speed, and what happens to the speed while its length appears.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tracking/tracker/example_frames.h"
+#include "vdamf/tracking/tracker/tracker.h"
+
+namespace vdamf
+{
+namespace
+{
+constexpr double kSpeed = 12.0;   // m/s, of the car
+constexpr double kBehind = 10.0;  // s
+
+// The platform stays behind, then passes in the lane to the left.
+Eigen::Vector2d platformAt(double t)
+{
+    const double passing = std::max(0.0, t - kBehind);
+    const double across = 3.5 * std::min(1.0, passing / 2.0);
+    return {-16.0 + kSpeed * t + 5.0 * passing, across};
+}
+
+class SeenFromBehind : public testing::TestWithParam<double>  // its length, m
+{
+};
+
+TEST_P(SeenFromBehind, ThenOvertaken)
+{
+    Tracker tracker{TrackerOptions()};
+    double squares = 0.0;
+    double fastest = 0.0;
+    double last = 0.0;
+    int frames = 0;
+    for (int k = 0; k < 140; ++k)
+    {
+        const double t = 0.1 * k;
+        const OrientedBox car{kSpeed * t, 0.0, 0.0, GetParam(), 1.8};
+        const FrameResult result =
+            tracker.process(exampleFrame(t, platformAt(t), {{car, 1.5}}, 500U + unsigned(k)));
+        if (k < 10) continue;
+        ASSERT_EQ(result.tracks.size(), 1U) << t;
+        const TrackReport& track = result.tracks.front();
+        const double speed = track.speed - kSpeed;
+        const double length = track.box.length - GetParam();
+        EXPECT_LT(std::abs(track.box.width - 1.8), 0.1) << t;
+        EXPECT_LT(std::abs(length), 3.0 * std::sqrt(track.lengthVariance)) << t;
+        if (t < kBehind)
+        {
+            EXPECT_GT(std::sqrt(track.lengthVariance), 0.3) << t;
+            squares += speed * speed;
+            ++frames;
+        }
+        else
+        {
+            fastest = std::max(fastest, std::abs(speed));
+        }
+        last = length;
+    }
+    EXPECT_LT(std::sqrt(squares / frames), 0.3);
+    EXPECT_LT(fastest, 0.5);
+    EXPECT_LT(std::abs(last), 0.2);
+}
+
+INSTANTIATE_TEST_SUITE_P(Lengths, SeenFromBehind, testing::Values(3.7, 4.4, 5.2));
+
+}  // namespace
+}  // namespace vdamf
