@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <deque>
 #include <optional>
+#include <vector>
 
 #include "tracker/sighting.h"
 #include "vdamf/tracking/discrimination/classify.h"
@@ -37,8 +38,10 @@ struct Track
     double lastMatch = 0.0;  ///< response per hit of the last sighting, 1/m
     HeadingBelief front;
     SizesTold told;
-    std::deque<PathPoint> path;  ///< sightings of the last second
-    VehicleEvidence evidence;    ///< of the discriminator
+    std::deque<PathPoint> path;        ///< sightings of the last second
+    VehicleEvidence evidence;          ///< of the discriminator
+    std::vector<double> typeEvidence;  ///< by filter of the bank, log-likelihoods
+    std::optional<TypeProbability> type;
     // Of the current frame:
     std::optional<Measurement> measurement;
     std::optional<double> nis;

@@ -11,6 +11,7 @@
 #include "tracker/one_time.h"
 #include "tracker/shared_cut.h"
 #include "tracker/track.h"
+#include "tracker/type_filters.h"
 #include "tracker/worker_pool.h"
 #include "vdamf/tracking/preprocessing/range_profile.h"
 
@@ -32,7 +33,8 @@ public:
     explicit Impl(const TrackerOptions& options)
         : options_(options),
           workers_(options.execution.threads),
-          discriminator_(options.discriminator)
+          discriminator_(options.discriminator),
+          typeFilters_(options.measurement)
     {
         for (std::size_t k = 0; k < workers_.size(); ++k) filters_.emplace_back(options.motion);
     }
@@ -140,7 +142,8 @@ private:
         const auto from = [&](const OrientedBox& box)
         {
             return sightingOf(frame, clusters, seen, box,
-                              Eigen::Vector2d(start.length, start.width), options_.measurement);
+                              Eigen::Vector2d(start.length, start.width),
+                              typeFilters_.optionsFor(track));
         };
         Sighting best = from(start);
         if (positionSigma(track) < kVague && best.measurement.match > kPoorMatch * track.lastMatch)
@@ -161,8 +164,9 @@ private:
                          {
                              Track& track = tracks_[j];
                              if (sightings[j])
-                                 track =
-                                     sightedTrack(track, *sightings[j], filters_[worker], options_);
+                                 track = typeFilters_.judged(
+                                     sightedTrack(track, *sightings[j], filters_[worker], options_),
+                                     *sightings[j]);
                              else
                                  miss(track, time);
                          });
@@ -189,7 +193,7 @@ private:
         const StartSpeed speed{0.0, options_.lifecycle.startSpeedSigma};
         for (const Sighting& s : newSightings(frame, claimed, options_))
         {
-            tracks_.push_back(startedTrack(nextId_++, s, speed, options_));
+            tracks_.push_back(typeFilters_.judged(startedTrack(nextId_++, s, speed, options_), s));
             assignment.push_back(s.clusters);
         }
         return assignment;
@@ -257,6 +261,7 @@ private:
     WorkerPool workers_;
     std::vector<VehicleKalmanFilter> filters_;  // of each worker
     Discriminator discriminator_;
+    TypeFilters typeFilters_;
     std::vector<Track> tracks_;  // by rising id
     std::uint64_t nextId_ = 1;
     std::optional<double> time_;
