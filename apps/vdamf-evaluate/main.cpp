@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vdamf-evaluate: how good tracks are, told by the truth.
-#include <CLI/CLI.hpp>
-#include <cerrno>
 #include <cmath>
 #include <cstdio>
-#include <cstring>
-#include <exception>
 #include <filesystem>
 #include <memory>
 #include <set>
@@ -13,9 +9,9 @@
 #include <string>
 #include <vector>
 
+#include "program.h"
 #include "vdamf/evaluation/evaluation.h"
 #include "vdamf/evaluation/evaluation_json.h"
-#include "vdamf/files/numbers.h"
 #include "vdamf/files/output_file.h"
 #include "vdamf/report/evaluation_plots.h"
 #include "vdamf/report/evaluation_text.h"
@@ -23,10 +19,6 @@
 namespace
 {
 namespace fs = std::filesystem;
-
-constexpr int kDone = 0;
-constexpr int kFailed = 1;
-constexpr int kBadUse = 2;
 
 struct CommandLine
 {
@@ -47,43 +39,30 @@ struct Output
     std::string content;
 };
 
-// A number in a range; CLI::Range lets nan pass.
-CLI::Validator within(double min, double max)
-{
-    const std::string range = vdamf::toText(min) + " to " + vdamf::toText(max);
-    return {[=](std::string& text)
-            {
-                const auto value = vdamf::parseNumber(text);
-                const bool isInside = value && *value >= min && *value <= max;
-                return isInside ? std::string() : "'" + text + "': expected " + range;
-            },
-            "FLOAT in [" + range + "]"};
-}
-
 void declareScoring(CLI::App& app, CommandLine& line)
 {
     vdamf::ScoringOptions& scoring = line.options.scoring;
     app.add_option("--region-fov-deg", line.regionFovDegrees,
                    "labelled sector ahead of the sensor; 0: all around (KITTI: 80)")
-        ->check(within(0.0, 360.0))
+        ->check(vdamf::within(0.0, 360.0))
         ->capture_default_str();
     app.add_option("--max-range-m", scoring.maxRange, "score up to this range; 0: all")
-        ->check(within(0.0, 1e4))
+        ->check(vdamf::within(0.0, 1e4))
         ->capture_default_str();
     app.add_option("--min-points", scoring.minPoints, "objects with fewer hits do not count")
         ->check(CLI::Range(0, 1000000))
         ->capture_default_str();
     app.add_option("--overlap", scoring.overlap,
                    "bird's-eye IoU from which a track has found an object")
-        ->check(within(0.01, 1.0))
+        ->check(vdamf::within(0.01, 1.0))
         ->capture_default_str();
     app.add_option("--pair-overlap", line.options.pairOverlap,
                    "bird's-eye IoU of the pairs whose errors are told")
-        ->check(within(0.01, 1.0))
+        ->check(vdamf::within(0.01, 1.0))
         ->capture_default_str();
     app.add_option("--still-speed-mps", line.options.stillSpeed,
                    "objects slower than this stand still")
-        ->check(within(0.0, 100.0))
+        ->check(vdamf::within(0.0, 100.0))
         ->capture_default_str();
     app.add_flag("--vehicles-only", scoring.onlyVehicles,
                  "drop tracks that the discriminator takes for clutter");
@@ -92,7 +71,6 @@ void declareScoring(CLI::App& app, CommandLine& line)
 
 void declare(CLI::App& app, CommandLine& line)
 {
-    app.set_version_flag("--version", std::string("vdamf-evaluate ") + VDAMF_VERSION);
     app.add_option("--tracks", line.tracks, "table of tracks (csv)")->required();
     app.add_option("--truth", line.truth, "table of labelled objects (csv)")->required();
     declareScoring(app, line);
@@ -100,9 +78,6 @@ void declare(CLI::App& app, CommandLine& line)
     app.add_option("--json", line.json, "metrics to write (JSON)");
     app.add_option("--plots", line.plots, "charts to write: one file (*.svg), or a folder");
     app.add_flag("--overwrite", line.overwrite, "replace existing outputs");
-    app.footer(
-        "Example:\n  vdamf-evaluate --tracks tracks.csv --truth datasets/street/truth.csv "
-        "--plots street.svg");
 }
 
 bool isOnePicture(const fs::path& plots)
@@ -126,8 +101,9 @@ std::vector<fs::path> outputsOf(const CommandLine& line)
     return outputs;
 }
 
-void checkPaths(const CommandLine& line)
+void prepare(CommandLine& line)
 {
+    line.options.scoring.regionFov = line.regionFovDegrees * vdamf::kPi / 180.0;
     vdamf::checkOutputPaths(outputsOf(line), {{line.tracks, "an input"}, {line.truth, "an input"}});
     if (!line.plots.empty() && !isOnePicture(line.plots) && fs::exists(line.plots) &&
         !fs::is_directory(line.plots))
@@ -169,13 +145,6 @@ void write(const std::vector<Output>& outputs, bool overwrite)
     for (const auto& file : files) file->commit();
 }
 
-void print(const std::string& text)
-{
-    const bool whole = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
-    if (!whole || std::fflush(stdout) != 0)
-        throw std::runtime_error(std::string("standard output: ") + std::strerror(errno));
-}
-
 // Says so where tracks have frames that the truth knows nothing of: a truth of every second scan,
 // or of one sensor among several, would else pass for false alarms.
 void warnOfFramesWithoutTruth(const std::vector<vdamf::TruthRow>& truth,
@@ -211,43 +180,22 @@ int run(const CommandLine& line)
     std::string text = vdamf::evaluationText(evaluation);
     if (line.objects) text += "\n" + vdamf::objectsText(evaluation);
     const bool jsonOnStandardOutput = !line.json.empty() && vdamf::isStandardOutput(line.json);
-    if (!jsonOnStandardOutput) print(text);
-    return kDone;
-}
-
-int mainOf(int argc, char** argv)
-{
-    CLI::App app("Compares tracks with the truth: detection, tracking, errors, consistency.");
-    CommandLine line;
-    declare(app, line);
-    try
-    {
-        app.parse(argc, argv);
-        line.options.scoring.regionFov = line.regionFovDegrees * vdamf::kPi / 180.0;
-        checkPaths(line);
-    }
-    catch (const CLI::ParseError& error)
-    {
-        return app.exit(error) == 0 ? kDone : kBadUse;
-    }
-    catch (const std::exception& error)
-    {
-        std::fprintf(stderr, "vdamf-evaluate: %s\n", error.what());
-        return kBadUse;
-    }
-    return run(line);
+    if (jsonOnStandardOutput) return vdamf::kDone;
+    std::fputs(text.c_str(), stdout);
+    vdamf::checkPrinted(stdout);
+    return vdamf::kDone;
 }
 }  // namespace
 
 int main(int argc, char** argv)
 {
-    try
-    {
-        return mainOf(argc, argv);
-    }
-    catch (const std::exception& error)
-    {
-        std::fprintf(stderr, "vdamf-evaluate: %s\n", error.what());
-        return kFailed;
-    }
+    CommandLine line;
+    return vdamf::runProgram(
+        argc, argv,
+        {"vdamf-evaluate",
+         "Compares tracks with the truth: detection, tracking, errors, consistency.",
+         "Example:\n  vdamf-evaluate --tracks tracks.csv --truth datasets/street/truth.csv "
+         "--plots street.svg",
+         [&](CLI::App& app) { declare(app, line); }, [&] { prepare(line); },
+         [&] { return run(line); }});
 }

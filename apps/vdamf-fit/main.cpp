@@ -1,24 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vdamf-fit: the measurement alone, for any clusters of points.
-#include <CLI/CLI.hpp>
 #include <chrono>
 #include <cstdio>
-#include <exception>
 #include <filesystem>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "fit_table.h"
+#include "program.h"
 #include "vdamf/files/output_file.h"
 #include "vdamf/rawlog/configuration.h"
 
 namespace
 {
-constexpr int kDone = 0;
-constexpr int kFailed = 1;
-constexpr int kBadUse = 2;
-
 struct Cli
 {
     std::filesystem::path input;
@@ -31,7 +26,6 @@ struct Cli
 
 void declare(CLI::App& app, Cli& cli)
 {
-    app.set_version_flag("--version", std::string("vdamf-fit ") + VDAMF_VERSION);
     app.add_option("-i,--input", cli.input, "clusters to fit (CSV)")->required();
     app.add_option("-o,--output", cli.output, "fits to write (CSV)")->required();
     app.add_option("-c,--config", cli.config,
@@ -40,7 +34,6 @@ void declare(CLI::App& app, Cli& cli)
         ->allow_extra_args(false);
     app.add_flag("--overwrite", cli.overwrite, "replace an existing output");
     app.add_flag("-q,--quiet", cli.quiet, "no summary");
-    app.footer("Example:\n  vdamf-fit -i clusters.csv -o fits.csv");
 }
 
 vdamf::MeasureOptions optionsOf(const Cli& cli)
@@ -99,43 +92,29 @@ void summarise(const Cli& cli, const Tally& tally)
                 1e6 * tally.fitSeconds / static_cast<double>(tally.clusters));
 }
 
-int mainOf(int argc, char** argv)
+int run(const Cli& cli, const vdamf::MeasureOptions& options)
 {
-    CLI::App app("Fits the matched filter to clusters of points: pose, size and covariance.");
-    Cli cli;
-    declare(app, cli);
-    vdamf::MeasureOptions options;
-    try
-    {
-        app.parse(argc, argv);
-        options = optionsOf(cli);
-        vdamf::checkOutputPaths({cli.output},
-                                {{cli.input, "the input"}, {cli.config, "the configuration"}});
-    }
-    catch (const CLI::ParseError& error)
-    {
-        return app.exit(error) == 0 ? kDone : kBadUse;
-    }
-    catch (const std::exception& error)
-    {
-        std::fprintf(stderr, "vdamf-fit: %s\n", error.what());
-        return kBadUse;
-    }
     const Tally tally = fitAll(cli, options);
-    if (!cli.quiet && !vdamf::isStandardOutput(cli.output)) summarise(cli, tally);
-    return kDone;
+    if (cli.quiet || vdamf::isStandardOutput(cli.output)) return vdamf::kDone;
+    summarise(cli, tally);
+    vdamf::checkPrinted(stdout);
+    return vdamf::kDone;
 }
 }  // namespace
 
 int main(int argc, char** argv)
 {
-    try
+    Cli cli;
+    vdamf::MeasureOptions options;
+    const auto prepare = [&]
     {
-        return mainOf(argc, argv);
-    }
-    catch (const std::exception& error)
-    {
-        std::fprintf(stderr, "vdamf-fit: %s\n", error.what());
-        return kFailed;
-    }
+        options = optionsOf(cli);
+        vdamf::checkOutputPaths({cli.output},
+                                {{cli.input, "the input"}, {cli.config, "the configuration"}});
+    };
+    return vdamf::runProgram(
+        argc, argv,
+        {"vdamf-fit", "Fits the matched filter to clusters of points: pose, size and covariance.",
+         "Example:\n  vdamf-fit -i clusters.csv -o fits.csv",
+         [&](CLI::App& app) { declare(app, cli); }, prepare, [&] { return run(cli, options); }});
 }

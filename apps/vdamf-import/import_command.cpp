@@ -1,27 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "import_command.h"
 
-#include <unistd.h>
-
-#include <cerrno>
-#include <csignal>
 #include <stdexcept>
-#include <system_error>
 
 #include "vdamf/tracking/types/geometry.h"
 
 namespace vdamf
 {
-namespace
-{
-volatile std::sig_atomic_t stopRequested = 0;
-
-void requestStop(int /*signal*/)
-{
-    stopRequested = 1;
-}
-}  // namespace
-
 void ImportCommand::declareOutput(CLI::App& command)
 {
     command.add_option("-o,--output", rawlog_, "Rawlog to write")->required();
@@ -56,11 +41,7 @@ void ImportCommand::finishSummary(std::FILE* to, std::size_t scans, double secon
     if (!ignored) std::fprintf(to, "  size        %.1f MB\n", static_cast<double>(bytes) / 1e6);
     std::fprintf(to, "  time taken  %.1f s (%.1f frames/s)\n", seconds,
                  static_cast<double>(scans) / seconds);
-    // A full disk or a closed pipe shows itself at the latest here.
-    errno = 0;
-    if (std::fflush(to) == 0 && std::ferror(to) == 0) return;
-    throw std::runtime_error("cannot write to the standard output: " +
-                             std::system_category().message(errno != 0 ? errno : EIO));
+    checkPrinted(to);
 }
 
 void refuseDash(const std::filesystem::path& output)
@@ -88,8 +69,8 @@ Eigen::Isometry3d sensorPoseFrom(const std::vector<double>& n)
 
 bool showProgress(std::size_t scans, double share)
 {
-    const bool stops = stopRequested != 0;
-    if (isatty(STDERR_FILENO) != 0)
+    const bool stops = isInterrupted();
+    if (isTerminal())
         std::fprintf(stderr, "\rscan %zu, %3.0f %%%s", scans, 100.0 * share,
                      share >= 1.0 || stops ? "\n" : "");
     return !stops;
@@ -99,12 +80,6 @@ int saidInterrupted()
 {
     std::fprintf(stderr, "vdamf-import: interrupted; no output was kept\n");
     return kFailed;
-}
-
-void catchSignals()
-{
-    std::signal(SIGINT, requestStop);
-    std::signal(SIGTERM, requestStop);
 }
 
 }  // namespace vdamf

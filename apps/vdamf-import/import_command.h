@@ -2,21 +2,17 @@
 // One subcommand of vdamf-import, and what all of them share.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <Eigen/Geometry>
 #include <cstdio>
 #include <filesystem>
 #include <string>
 #include <vector>
 
+#include "program.h"
 #include "vdamf/rawlog/import_output.h"
 
 namespace vdamf
 {
-constexpr int kDone = 0;
-constexpr int kFailed = 1;
-constexpr int kBadUse = 2;
-
 class ImportCommand
 {
 public:
@@ -53,6 +49,5 @@ Eigen::Isometry3d sensorPoseFrom(const std::vector<double>& numbers);
 /// True as long as no signal asked to stop; shows the progress on a terminal.
 bool showProgress(std::size_t scans, double share);
 int saidInterrupted();
-void catchSignals();
 
 }  // namespace vdamf

@@ -1,16 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vdamf-report: an annotated rawlog in, a page for the browser out.
-#include <unistd.h>
-
-#include <CLI/CLI.hpp>
-#include <atomic>
-#include <csignal>
 #include <cstdio>
-#include <exception>
 #include <filesystem>
 #include <string>
 
-#include "vdamf/files/numbers.h"
+#include "program.h"
 #include "vdamf/files/output_file.h"
 #include "vdamf/rawlog/annotated_rawlog.h"
 #include "vdamf/report/run_report.h"
@@ -18,17 +12,6 @@
 namespace
 {
 namespace fs = std::filesystem;
-
-constexpr int kDone = 0;
-constexpr int kFailed = 1;
-constexpr int kBadUse = 2;
-
-std::atomic<bool> interrupted{false};
-
-void onSignal(int)
-{
-    interrupted = true;
-}
 
 struct CommandLine
 {
@@ -43,22 +26,8 @@ struct CommandLine
     vdamf::EvaluationOptions evaluation;
 };
 
-// A number in a range; CLI::Range lets nan pass.
-CLI::Validator within(double min, double max)
-{
-    const std::string range = vdamf::toText(min) + " to " + vdamf::toText(max);
-    return {[=](std::string& text)
-            {
-                const auto value = vdamf::parseNumber(text);
-                const bool isInside = value && *value >= min && *value <= max;
-                return isInside ? std::string() : "'" + text + "': expected " + range;
-            },
-            "FLOAT in [" + range + "]"};
-}
-
 void declare(CLI::App& app, CommandLine& line)
 {
-    app.set_version_flag("--version", std::string("vdamf-report ") + VDAMF_VERSION);
     app.add_option("input", line.input, "rawlog that vdamf-track -o wrote")->required();
     app.add_option("-o,--output", line.output, "page to write (HTML)")->required();
     app.add_option("--truth", line.truth,
@@ -71,10 +40,10 @@ void declare(CLI::App& app, CommandLine& line)
     vdamf::ScoringOptions& scoring = line.evaluation.scoring;
     app.add_option("--region-fov-deg", line.regionFovDegrees,
                    "labelled sector ahead of the sensor; 0: all around (KITTI: 80)")
-        ->check(within(0.0, 360.0))
+        ->check(vdamf::within(0.0, 360.0))
         ->capture_default_str();
     app.add_option("--max-range-m", scoring.maxRange, "judge up to this range; 0: all")
-        ->check(within(0.0, 1e4))
+        ->check(vdamf::within(0.0, 1e4))
         ->capture_default_str();
     app.add_option("--min-points", scoring.minPoints, "objects with fewer hits do not count")
         ->check(CLI::Range(0, 1000000))
@@ -83,15 +52,6 @@ void declare(CLI::App& app, CommandLine& line)
                  "judge no tracks that the discriminator takes for clutter");
     app.add_flag("--overwrite", line.overwrite, "replace an existing page");
     app.add_flag("-q,--quiet", line.quiet, "no progress, no summary");
-    app.failure_message(
-        [](const CLI::App*, const CLI::Error& error)
-        {
-            return "vdamf-report: " + std::string(error.what()) +
-                   "\nRun with --help for more information.\n";
-        });
-    app.footer(
-        "Example:\n  vdamf-report street_tracked.rawlog -o street.html "
-        "--truth datasets/street/truth.csv");
 }
 
 void showProgress(double share, std::size_t frames)
@@ -117,7 +77,8 @@ vdamf::RunFacts factsOf(const CommandLine& line, const vdamf::Annotations& annot
     return facts;
 }
 
-std::string pageOf(const CommandLine& line, const vdamf::Annotations& annotations)
+std::string pageOf(const CommandLine& line, const vdamf::Annotations& annotations,
+                   const std::atomic<bool>& interrupted)
 {
     vdamf::ReportTruth truth;
     truth.evaluation = line.evaluation;
@@ -127,7 +88,7 @@ std::string pageOf(const CommandLine& line, const vdamf::Annotations& annotation
     options.clustering = annotations.configuration.tracker.clustering;
     options.hitsPerFrame = static_cast<std::size_t>(line.hitsPerFrame);
     vdamf::RunReport report(options);
-    const bool progress = !line.quiet && isatty(STDERR_FILENO) != 0;
+    const bool progress = !line.quiet && vdamf::isTerminal();
     const auto summary = vdamf::replayRawlog(
         line.input, annotations, interrupted,
         [&](const vdamf::LadarFrame& frame, const vdamf::FrameResult& result, double share)
@@ -147,8 +108,7 @@ std::string pageOf(const CommandLine& line, const vdamf::Annotations& annotation
 int run(const CommandLine& line)
 {
     using vdamf::OutputFile;
-    std::signal(SIGINT, onSignal);
-    std::signal(SIGTERM, onSignal);
+    const std::atomic<bool>& interrupted = vdamf::catchSignals();
     // Opened first, so that the work does not end on a page that cannot be written.
     OutputFile output(
         line.output,
@@ -159,49 +119,31 @@ int run(const CommandLine& line)
         std::fprintf(stderr,
                      "%s: its configuration cannot be read, the built-in one is taken: %s\n",
                      line.input.c_str(), annotations.configurationProblem.c_str());
-    const std::string page = pageOf(line, annotations);
+    const std::string page = pageOf(line, annotations, interrupted);
     output.write(page);
     output.commit();
     if (!line.quiet && !vdamf::isStandardOutput(line.output))
         std::printf("%s: %zu frames, %.1f MB\n", line.output.c_str(), annotations.tables.size(),
                     1e-6 * static_cast<double>(page.size()));
-    return kDone;
+    return vdamf::kDone;
 }
 
-int mainOf(int argc, char** argv)
+void prepare(CommandLine& line)
 {
-    CLI::App app("Makes a page of an annotated rawlog that plays it in any browser, offline.");
-    CommandLine line;
-    declare(app, line);
-    try
-    {
-        app.parse(argc, argv);
-        line.evaluation.scoring.regionFov = line.regionFovDegrees * vdamf::kPi / 180.0;
-        vdamf::checkOutputPaths({line.output},
-                                {{line.input, "the input"}, {line.truth, "an input"}});
-    }
-    catch (const CLI::ParseError& error)
-    {
-        return app.exit(error) == 0 ? kDone : kBadUse;
-    }
-    catch (const std::exception& error)
-    {
-        std::fprintf(stderr, "vdamf-report: %s\n", error.what());
-        return kBadUse;
-    }
-    return run(line);
+    line.evaluation.scoring.regionFov = line.regionFovDegrees * vdamf::kPi / 180.0;
+    vdamf::checkOutputPaths({line.output}, {{line.input, "the input"}, {line.truth, "an input"}});
 }
 }  // namespace
 
 int main(int argc, char** argv)
 {
-    try
-    {
-        return mainOf(argc, argv);
-    }
-    catch (const std::exception& error)
-    {
-        std::fprintf(stderr, "vdamf-report: %s\n", error.what());
-        return kFailed;
-    }
+    CommandLine line;
+    return vdamf::runProgram(
+        argc, argv,
+        {"vdamf-report",
+         "Makes a page of an annotated rawlog that plays it in any browser, offline.",
+         "Example:\n  vdamf-report street_tracked.rawlog -o street.html "
+         "--truth datasets/street/truth.csv",
+         [&](CLI::App& app) { declare(app, line); }, [&] { prepare(line); },
+         [&] { return run(line); }});
 }

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vdamf-simulate: a rawlog with exact truth from a scenario file.
-#include <unistd.h>
-
-#include <CLI/CLI.hpp>
 #include <chrono>
-#include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <optional>
@@ -12,14 +8,11 @@
 #include <string>
 #include <vector>
 
+#include "program.h"
 #include "simulation_run.h"
 
 namespace
 {
-constexpr int kDone = 0;
-constexpr int kFailed = 1;
-constexpr int kBadUse = 2;
-
 struct CommandLine
 {
     std::filesystem::path scenario;
@@ -30,16 +23,8 @@ struct CommandLine
     std::vector<std::string> set;
 };
 
-volatile std::sig_atomic_t stopRequested = 0;
-
-void requestStop(int /*signal*/)
-{
-    stopRequested = 1;
-}
-
 void declare(CLI::App& app, CommandLine& line)
 {
-    app.set_version_flag("--version", std::string("vdamf-simulate ") + VDAMF_VERSION);
     app.add_option("scenario", line.scenario, "Scenario file (ini)")->required();
     app.add_option("-o,--output", line.outputs.rawlog, "Rawlog to write")->required();
     app.add_option("--truth", line.outputs.truth, "Truth table to write (csv)");
@@ -51,9 +36,6 @@ void declare(CLI::App& app, CommandLine& line)
         ->check(CLI::Range(0, 9));
     app.add_option("--seed", line.seed, "Instead of the scenario's seed")
         ->check(CLI::Range(0, 2147483647));
-    app.footer(
-        "Example:\n  vdamf-simulate datasets/street/scenario.ini -o street.rawlog "
-        "--truth truth.csv");
 }
 
 /// What the section [traffic] names, from the scenario's folder and from the current one.
@@ -132,62 +114,37 @@ void summarise(const vdamf::Scenario& scenario, const CommandLine& line,
 
 int run(const CommandLine& line, const vdamf::Scenario& scenario)
 {
-    std::signal(SIGINT, requestStop);
-    std::signal(SIGTERM, requestStop);
-    const bool progress = !line.quiet && isatty(STDERR_FILENO) != 0;
+    const std::atomic<bool>& interrupted = vdamf::catchSignals();
+    const bool progress = !line.quiet && vdamf::isTerminal();
     const auto goOn = [&](int done, int all)
     {
         if (progress) showProgress(done, all);
-        return stopRequested == 0;
+        return !interrupted;
     };
     const auto begin = std::chrono::steady_clock::now();
     const vdamf::SimulationTotals totals = vdamf::runSimulation(scenario, line.outputs, goOn);
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
     if (!line.quiet) summarise(scenario, line, totals, taken.count());
-    return kDone;
-}
-
-int parseAndRun(int argc, char** argv)
-{
-    CommandLine line;
-    CLI::App app(
-        "Simulates LADARs on a driving platform: a rawlog with scans and poses, and the truth of "
-        "all road users.");
-    declare(app, line);
-    vdamf::Scenario scenario;
-    try
-    {
-        app.parse(argc, argv);
-        if (line.overwrite) line.outputs.existing = vdamf::OutputFile::Existing::Overwrite;
-        checkPaths(line);
-        scenario = scenarioOf(line);
-    }
-    catch (const CLI::ParseError& error)
-    {
-        if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
-        std::fprintf(stderr, "vdamf-simulate: %s\nRun with --help for more information.\n",
-                     error.what());
-        return kBadUse;
-    }
-    catch (const std::runtime_error& error)
-    {
-        std::fprintf(stderr, "vdamf-simulate: %s\n", error.what());
-        return kBadUse;
-    }
-    return run(line, scenario);
+    return vdamf::kDone;
 }
 }  // namespace
 
 int main(int argc, char** argv)
 {
-    try
+    CommandLine line;
+    vdamf::Scenario scenario;
+    const auto prepare = [&]
     {
-        return parseAndRun(argc, argv);
-    }
-    catch (const std::exception& error)
-    {
-        const char* const wipeProgress = isatty(STDERR_FILENO) != 0 ? "\r\033[K" : "";
-        std::fprintf(stderr, "%svdamf-simulate: %s\n", wipeProgress, error.what());
-        return kFailed;
-    }
+        if (line.overwrite) line.outputs.existing = vdamf::OutputFile::Existing::Overwrite;
+        checkPaths(line);
+        scenario = scenarioOf(line);
+    };
+    return vdamf::runProgram(
+        argc, argv,
+        {"vdamf-simulate",
+         "Simulates LADARs on a driving platform: a rawlog with scans and poses, and the truth of "
+         "all road users.",
+         "Example:\n  vdamf-simulate datasets/street/scenario.ini -o street.rawlog "
+         "--truth truth.csv",
+         [&](CLI::App& app) { declare(app, line); }, prepare, [&] { return run(line, scenario); }});
 }

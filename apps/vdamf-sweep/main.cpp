@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vdamf-sweep: many recordings with many settings.
-#include <unistd.h>
-
-#include <CLI/CLI.hpp>
 #include <algorithm>
-#include <atomic>
-#include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <optional>
@@ -15,6 +10,7 @@
 
 #include "folder_lock.h"
 #include "outputs.h"
+#include "program.h"
 #include "progress.h"
 #include "vdamf/experiments/digest.h"
 #include "vdamf/experiments/metric_names.h"
@@ -25,17 +21,6 @@
 namespace
 {
 namespace fs = std::filesystem;
-
-constexpr int kDone = 0;
-constexpr int kFailed = 1;
-constexpr int kBadUse = 2;
-
-std::atomic<bool> interrupted{false};
-
-void onSignal(int)
-{
-    interrupted = true;
-}
 
 struct CommandLine
 {
@@ -52,7 +37,6 @@ struct CommandLine
 
 void declare(CLI::App& app, CommandLine& line)
 {
-    app.set_version_flag("--version", std::string("vdamf-sweep ") + VDAMF_VERSION);
     app.add_option("-c,--config", line.config, "what to sweep (ini)");
     app.add_option("-o,--output", line.folder,
                    "folder of the sweep; default: results/<name of the ini file>");
@@ -68,7 +52,6 @@ void declare(CLI::App& app, CommandLine& line)
     app.add_flag("--print-metrics", line.printMetrics, "print the names of all metrics and exit");
     app.add_flag("-q,--quiet", line.quiet, "no progress, no summary");
     app.add_option("--task", line.task)->group("");  // what its own workers are called with
-    app.footer("Example:\n  vdamf-sweep -c datasets/sweeps/street.ini -o results/street_sweep");
 }
 
 fs::path ownProgram()
@@ -88,7 +71,7 @@ vdamf::SweepProgress::Style styleOf(const CommandLine& line)
 {
     using Style = vdamf::SweepProgress::Style;
     if (line.quiet) return Style::Quiet;
-    return isatty(STDERR_FILENO) != 0 ? Style::Bar : Style::Lines;
+    return vdamf::isTerminal() ? Style::Bar : Style::Lines;
 }
 
 // Only below a folder that a sweep has made its own.
@@ -115,7 +98,7 @@ int dryRun(const CommandLine& line, const vdamf::PreparedSweep& sweep,
     for (const vdamf::PlannedRun& run : plannedRuns(sweep, sweep.settings, 0, program, line.folder))
         done += run.isDone ? 1 : 0;
     std::printf("%zu runs, %zu of them done, in %s\n", sweep.runs, done, line.folder.c_str());
-    return kDone;
+    return vdamf::kDone;
 }
 
 int interruptedExit(const vdamf::SweepProgress& progress, const fs::path& folder)
@@ -124,14 +107,13 @@ int interruptedExit(const vdamf::SweepProgress& progress, const fs::path& folder
     std::fprintf(stderr,
                  "interrupted: the runs that are done stay in %s; the same command goes on\n",
                  folder.c_str());
-    return kFailed;
+    return vdamf::kFailed;
 }
 
-int run(const CommandLine& line, const vdamf::PreparedSweep& sweep,
-        const vdamf::SweepProgram& program)
+int sweepAll(const CommandLine& line, const vdamf::PreparedSweep& sweep,
+             const vdamf::SweepProgram& program)
 {
-    std::signal(SIGINT, onSignal);
-    std::signal(SIGTERM, onSignal);
+    const std::atomic<bool>& interrupted = vdamf::catchSignals();
     fs::create_directories(line.folder);
     const vdamf::FolderLock lock(line.folder);
     if (!line.resume) forgetRuns(line.folder);
@@ -147,55 +129,43 @@ int run(const CommandLine& line, const vdamf::PreparedSweep& sweep,
     progress.end();
     vdamf::writeOutputs(sweep, results, line.folder);
     if (!line.quiet) vdamf::printOutcome(sweep, results, progress.skipped(), line.folder);
-    if (progress.failures() == 0) return kDone;
+    if (progress.failures() == 0) return vdamf::kDone;
     std::fprintf(stderr, "%zu runs failed; their logs are in %s\n", progress.failures(),
                  (line.folder / "tasks").c_str());
-    return kFailed;
+    return vdamf::kFailed;
 }
 
-int mainOf(int argc, char** argv)
+std::optional<vdamf::PreparedSweep> prepared(CommandLine& line)
 {
-    CLI::App app("Runs the tracker on many recordings with many settings and compares them.");
-    CommandLine line;
-    declare(app, line);
-    std::optional<vdamf::PreparedSweep> sweep;
-    try
+    if (!line.task.empty() || line.printMetrics) return {};
+    if (line.config.empty()) throw std::invalid_argument("-c is required: what to sweep");
+    if (line.folder.empty()) line.folder = fs::path("results") / line.config.stem();
+    vdamf::PreparedSweep sweep = vdamf::prepareSweep(line.config);
+    vdamf::checkOutputs(sweep, line.folder);
+    return sweep;
+}
+
+int run(const CommandLine& line, const std::optional<vdamf::PreparedSweep>& sweep)
+{
+    if (!line.task.empty()) return vdamf::work(line.task);
+    if (line.printMetrics)
     {
-        app.parse(argc, argv);
-        if (!line.task.empty()) return vdamf::work(line.task);
-        if (line.printMetrics)
-        {
-            for (const std::string& name : vdamf::metricNames()) std::printf("%s\n", name.c_str());
-            return kDone;
-        }
-        if (line.config.empty()) throw std::invalid_argument("-c is required: what to sweep");
-        if (line.folder.empty()) line.folder = fs::path("results") / line.config.stem();
-        sweep = vdamf::prepareSweep(line.config);
-        vdamf::checkOutputs(*sweep, line.folder);
-    }
-    catch (const CLI::ParseError& error)
-    {
-        return app.exit(error) == 0 ? kDone : kBadUse;
-    }
-    catch (const std::exception& error)
-    {
-        std::fprintf(stderr, "vdamf-sweep: %s\n", error.what());
-        return kBadUse;
+        for (const std::string& name : vdamf::metricNames()) std::printf("%s\n", name.c_str());
+        return vdamf::kDone;
     }
     const vdamf::SweepProgram program{VDAMF_VERSION, vdamf::digestOfFile(ownProgram())};
-    return line.dryRun ? dryRun(line, *sweep, program) : run(line, *sweep, program);
+    return line.dryRun ? dryRun(line, *sweep, program) : sweepAll(line, *sweep, program);
 }
 }  // namespace
 
 int main(int argc, char** argv)
 {
-    try
-    {
-        return mainOf(argc, argv);
-    }
-    catch (const std::exception& error)
-    {
-        std::fprintf(stderr, "vdamf-sweep: %s\n", error.what());
-        return kFailed;
-    }
+    CommandLine line;
+    std::optional<vdamf::PreparedSweep> sweep;
+    return vdamf::runProgram(
+        argc, argv,
+        {"vdamf-sweep", "Runs the tracker on many recordings with many settings and compares them.",
+         "Example:\n  vdamf-sweep -c datasets/sweeps/street.ini -o results/street_sweep",
+         [&](CLI::App& app) { declare(app, line); }, [&] { sweep = prepared(line); },
+         [&] { return run(line, sweep); }});
 }

@@ -1,33 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vdamf-track: a rawlog in, its vehicles tracked, an annotated rawlog out.
-#include <signal.h>
-#include <unistd.h>
-
-#include <CLI/CLI.hpp>
-#include <atomic>
-#include <cerrno>
 #include <charconv>
 #include <cstdio>
 #include <stdexcept>
-#include <system_error>
 
 #include "pictures.h"
+#include "program.h"
 #include "summary.h"
 #include "vdamf/rawlog/track_rawlog.h"
 
 namespace
 {
-constexpr int kDone = 0;
-constexpr int kFailed = 1;
-constexpr int kBadUse = 2;
-
-std::atomic<bool> interrupted{false};
-
-void onSignal(int)
-{
-    interrupted = true;
-}
-
 struct Cli
 {
     std::string config;
@@ -45,7 +28,6 @@ struct Cli
 
 void declare(CLI::App& app, Cli& cli)
 {
-    app.set_version_flag("--version", std::string("vdamf-track ") + VDAMF_VERSION);
     app.add_option("-c,--config", cli.config, "configuration (ini); default: built-in values");
     app.add_option("-i,--input", cli.input, "rawlog to read");
     app.add_option("-o,--output", cli.output, "annotated rawlog to write");
@@ -64,15 +46,6 @@ void declare(CLI::App& app, Cli& cli)
     app.add_flag("-q,--quiet", cli.quiet, "no progress, no summary");
     app.add_flag("--print-config", cli.printConfig,
                  "print the effective configuration as ini and exit");
-    app.failure_message(
-        [](const CLI::App*, const CLI::Error& error)
-        {
-            return "vdamf-track: " + std::string(error.what()) +
-                   "\nRun with --help for more information.\n";
-        });
-    app.footer(
-        "Example:\n  vdamf-track -i street.rawlog -o street_tracked.rawlog "
-        "--tracks tracks.csv --report street.html");
 }
 
 // "A:B", either side may be empty. Throws std::invalid_argument.
@@ -157,15 +130,6 @@ void showProgress(double share, std::uint64_t frames)
                  static_cast<unsigned long long>(frames));
 }
 
-// A full disk or a closed pipe shows itself at the latest here.
-void checkPrinted(std::FILE* stream)
-{
-    errno = 0;
-    if (std::fflush(stream) == 0 && std::ferror(stream) == 0) return;
-    throw std::runtime_error("cannot write to the standard output: " +
-                             std::system_category().message(errno != 0 ? errno : EIO));
-}
-
 int exitCodeOf(const Cli& cli, const vdamf::TrackRawlogSummary& summary)
 {
     const auto frames = static_cast<unsigned long long>(summary.frames);
@@ -174,30 +138,21 @@ int exitCodeOf(const Cli& cli, const vdamf::TrackRawlogSummary& summary)
         const bool kept = !cli.output.empty() && summary.frames > 0;
         std::fprintf(stderr, "interrupted: %llu frames done%s\n", frames,
                      kept ? (" are in " + vdamf::partialPathOf(cli.output).string()).c_str() : "");
-        return kFailed;
+        return vdamf::kFailed;
     }
     if (summary.read.truncated)
     {
         std::fprintf(stderr, "%s: truncated: %s; the %llu frames before are done\n",
                      cli.input.c_str(), summary.read.truncation.c_str(), frames);
-        return kFailed;
+        return vdamf::kFailed;
     }
-    return kDone;
+    return vdamf::kDone;
 }
 
-// Without restarting what they interrupt: a run must not wait for ever for a pipe that stays
-// silent.
-void catchSignals()
+int track(const Cli& cli, const vdamf::TrackRawlogJob& job)
 {
-    struct sigaction action = {};
-    action.sa_handler = onSignal;
-    for (const int signal : {SIGINT, SIGTERM}) sigaction(signal, &action, nullptr);
-}
-
-int run(const Cli& cli, const vdamf::TrackRawlogJob& job)
-{
-    catchSignals();
-    const bool progress = !cli.quiet && isatty(STDERR_FILENO) != 0;
+    const std::atomic<bool>& interrupted = vdamf::catchSignals();
+    const bool progress = !cli.quiet && vdamf::isTerminal();
     std::uint64_t frames = 0;
     vdamf::Pictures pictures(cli.pictures, job);
     const auto listener =
@@ -214,51 +169,40 @@ int run(const Cli& cli, const vdamf::TrackRawlogJob& job)
     if (!cli.quiet)
     {
         vdamf::printSummary(streamForSummary(cli), summary);
-        checkPrinted(streamForSummary(cli));
+        vdamf::checkPrinted(streamForSummary(cli));
     }
     return exitCodeOf(cli, summary);
 }
 
-int mainOf(int argc, char** argv)
+vdamf::TrackRawlogJob prepared(const Cli& cli)
 {
-    CLI::App app("Tracks vehicles in an MRPT rawlog with LADAR scans and INS poses.");
-    Cli cli;
-    declare(app, cli);
+    const vdamf::Configuration configuration = configurationOf(cli);
     vdamf::TrackRawlogJob job;
-    try
-    {
-        app.parse(argc, argv);
-        const vdamf::Configuration configuration = configurationOf(cli);
-        if (!cli.printConfig) job = jobOf(cli);
-        job.configuration = configuration;
-    }
-    catch (const CLI::ParseError& error)
-    {
-        return app.exit(error) == 0 ? kDone : kBadUse;
-    }
-    catch (const std::exception& error)
-    {
-        std::fprintf(stderr, "vdamf-track: %s\n", error.what());
-        return kBadUse;
-    }
-    if (!cli.printConfig) return run(cli, job);
+    if (!cli.printConfig) job = jobOf(cli);
+    job.configuration = configuration;
+    return job;
+}
+
+int run(const Cli& cli, const vdamf::TrackRawlogJob& job)
+{
+    if (!cli.printConfig) return track(cli, job);
     using vdamf::OutputFile;
     OutputFile printed("/dev/stdout", OutputFile::Existing::Refuse, OutputFile::Unfinished::Keep);
     printed.write(toIni(job.configuration));
     printed.commit();
-    return kDone;
+    return vdamf::kDone;
 }
 }  // namespace
 
 int main(int argc, char** argv)
 {
-    try
-    {
-        return mainOf(argc, argv);
-    }
-    catch (const std::exception& error)
-    {
-        std::fprintf(stderr, "vdamf-track: %s\n", error.what());
-        return kFailed;
-    }
+    Cli cli;
+    vdamf::TrackRawlogJob job;
+    return vdamf::runProgram(
+        argc, argv,
+        {"vdamf-track", "Tracks vehicles in an MRPT rawlog with LADAR scans and INS poses.",
+         "Example:\n  vdamf-track -i street.rawlog -o street_tracked.rawlog "
+         "--tracks tracks.csv --report street.html",
+         [&](CLI::App& app) { declare(app, cli); }, [&] { job = prepared(cli); },
+         [&] { return run(cli, job); }});
 }

@@ -17,9 +17,11 @@ struct Plan
 {
     std::filesystem::path rawlog;  ///< of poses as CObservationRobotPose, and scans
     double hours = 1.0;            ///< of recording time
-    double drift = 137.3;          ///< m to the east and to the north from one round to the next
-    double pause = 4.0;            ///< s between rounds, in which all tracks end
-    int rows = 12;                 ///< of the report
+    /// m to the east and to the north from one round to the next: a multiple of 2^-16 m, so that
+    /// the same numbers come back.
+    double drift = 137.25;
+    double pause = 4.0;  ///< s between rounds, in which all tracks end
+    int rows = 12;       ///< of the report
     Configuration configuration;
 };
 
@@ -31,10 +33,9 @@ struct Row
     std::uint64_t frames = 0;
     double milliseconds = 0.0;  ///< of computing a frame, on average
     double megabytes = 0.0;     ///< resident at its end
-    /// Of the tracks of a frame from those that are next to them in the same frame of the first
-    /// round: the median (m), and the share within 1 mm. Nearly all differ by less; small clutter
-    /// has several fits of nearly equal worth, between which the last bit of a number decides.
-    double deviation = 0.0;
+    /// Shares of the tracks that lie within 1 nm and within 1 mm of one in the same frame of the
+    /// first round. What the input's own rounding far away turns is not the same.
+    double same = 1.0;
     double alike = 1.0;
 };
 

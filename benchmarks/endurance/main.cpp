@@ -9,9 +9,9 @@ namespace
 {
 void print(const vdamf::endurance::Row& row)
 {
-    std::printf("%8.2f %10.1f %10llu %10.3f %10.1f %12.6f %8.2f\n", row.hours, row.kilometres,
+    std::printf("%8.2f %10.1f %10llu %10.3f %10.1f %9.3f %9.3f\n", row.hours, row.kilometres,
                 static_cast<unsigned long long>(row.frames), row.milliseconds, row.megabytes,
-                1e3 * row.deviation, 100.0 * row.alike);
+                100.0 * row.same, 100.0 * row.alike);
     std::fflush(stdout);
 }
 
@@ -38,8 +38,8 @@ int main(int argc, char** argv)
     CLI11_PARSE(app, argc, argv);
     try
     {
-        std::printf("%8s %10s %10s %10s %10s %12s %8s\n", "hours", "km", "frames", "ms/frame", "MB",
-                    "deviation_mm", "alike_%");
+        std::printf("%8s %10s %10s %10s %10s %9s %9s\n", "hours", "km", "frames", "ms/frame", "MB",
+                    "same_%", "alike_%");
         const auto result =
             vdamf::endurance::run(plan, [](const vdamf::endurance::Row& row) { print(row); });
         print(result);

@@ -11,6 +11,8 @@ namespace vdamf::endurance
 {
 namespace
 {
+constexpr double kSame = 1e-9;     // m
+constexpr double kAlike = 1e-3;    // m
 constexpr double kNoneNear = 1e3;  // m
 
 double residentMegabytes()
@@ -79,21 +81,10 @@ void Monitor::compare(const FrameResult& frame)
         double nearest = kNoneNear;
         for (const auto& [firstX, firstY] : first)
             nearest = std::min(nearest, std::hypot(x - firstX, y - firstY));
-        deviations_.push_back(nearest);
+        ++compared_;
+        same_ += nearest < kSame ? 1 : 0;
+        alike_ += nearest < kAlike ? 1 : 0;
     }
-}
-
-void Monitor::summariseDeviations()
-{
-    constexpr double kAlike = 1e-3;  // m
-    if (deviations_.empty()) return;
-    const auto middle = deviations_.begin() + static_cast<std::ptrdiff_t>(deviations_.size() / 2);
-    std::nth_element(deviations_.begin(), middle, deviations_.end());
-    row_.deviation = *middle;
-    const auto alike = std::count_if(deviations_.begin(), deviations_.end(),
-                                     [](double deviation) { return deviation < kAlike; });
-    row_.alike = static_cast<double>(alike) / static_cast<double>(deviations_.size());
-    deviations_.clear();
 }
 
 void Monitor::endRow(double time)
@@ -103,7 +94,11 @@ void Monitor::endRow(double time)
     row_.kilometres = std::hypot(rounds_.eastOf(round_), rounds_.northOf(round_)) / 1e3;
     row_.milliseconds =
         1e3 * static_cast<double>(now - begin_) / CLOCKS_PER_SEC / static_cast<double>(row_.frames);
-    summariseDeviations();
+    const auto share = [this](std::uint64_t count)
+    { return compared_ == 0 ? 1.0 : static_cast<double>(count) / static_cast<double>(compared_); };
+    row_.same = share(same_);
+    row_.alike = share(alike_);
+    compared_ = same_ = alike_ = 0;
     row_.megabytes = residentMegabytes();
     result_.rows.push_back(row_);
     if (onRow_) onRow_(row_);

@@ -29,7 +29,6 @@ private:
     void compare(const FrameResult& frame);
     void noteIdentities(const FrameResult& frame);
     void endRow(double time);
-    void summariseDeviations();
 
     const Plan& plan_;
     const Rounds& rounds_;
@@ -38,7 +37,10 @@ private:
     Row row_;
     std::uint64_t round_ = 0;
     std::map<double, Places> first_;  ///< where tracks were in the first round, by its ms
-    std::vector<double> deviations_;  ///< of this row
+    /// Tracks of this row, and those near one of the first round.
+    std::uint64_t compared_ = 0;
+    std::uint64_t same_ = 0;
+    std::uint64_t alike_ = 0;
     std::uint64_t newestBefore_ = 0;  ///< identity before this round
     std::uint64_t newest_ = 0;
     std::set<std::uint64_t> living_;

@@ -33,9 +33,7 @@ void expectUnchanged(const Result& result, const Plan& plan)
     EXPECT_LT(result.rows.back().milliseconds, 3.0 * result.rows.front().milliseconds);
     for (const Row& row : result.rows)
     {
-        EXPECT_LT(row.deviation, 1e-5) << row.kilometres << " km";
-        // The last bit of a number may turn what is decided about a few hits of clutter.
-        EXPECT_GT(row.alike, 0.95) << row.kilometres << " km";
+        EXPECT_EQ(row.alike, 1.0) << row.kilometres << " km";
     }
 }
 

@@ -55,6 +55,8 @@ TEST_F(OutputFileTest, OutputsAreNeitherInputsNorEachOther)
     EXPECT_THAT(problem({at("a"), at("c.ini")}), HasSubstr("c.ini: is the configuration"));
     EXPECT_THAT(problem({at("a"), at("./a")}), HasSubstr("named for two outputs"));
     EXPECT_THAT(problem({at("a"), at("a.partial")}), HasSubstr("named for two outputs"));
+    EXPECT_THAT(problem({"/dev/stdout", "/dev/stdout"}), HasSubstr("named for two outputs"));
+    EXPECT_EQ(problem({"/dev/null", "/dev/null"}), "");
     std::filesystem::create_symlink(at("c.ini"), at("link"));
     EXPECT_THAT(problem({at("link")}), HasSubstr("is the configuration"));
 }

@@ -58,6 +58,14 @@ std::optional<int> descriptorNamed(const fs::path& path)
     return static_cast<int>(*number);
 }
 
+// Like /dev/null: what two outputs write there is not mixed in a file, nor lost. The standard
+// output is none, though it may be a terminal: nobody can tell two outputs in it apart.
+bool takesSeveralOutputs(const fs::path& path)
+{
+    std::error_code ignored;
+    return !descriptorNamed(path) && fs::is_character_file(fs::status(path, ignored));
+}
+
 // The file that a chain of symbolic links leads to, whether it exists or not.
 fs::path withoutLinks(fs::path path)
 {
@@ -207,6 +215,7 @@ void checkOutputPaths(const std::vector<fs::path>& outputs, const std::vector<Na
                 throw std::runtime_error(name + ": is written by way of " + partial.string() +
                                          ", which is " + input.name + "; choose another output");
         }
+        if (takesSeveralOutputs(outputs[i])) continue;
         for (std::size_t j = 0; j < i; ++j)
             if (sameFile(outputs[i], outputs[j]) || sameFile(partial, outputs[j]) ||
                 sameFile(outputs[i], partialPathOf(outputs[j])))

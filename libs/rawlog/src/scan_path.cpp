@@ -48,9 +48,16 @@ Poses posesAlong(int count, int direction, const VehiclePose& pose, const InsTra
 }
 }  // namespace
 
+Eigen::Vector3d onGrid(const Eigen::Vector3d& position)
+{
+    constexpr double kPerMetre = 65536.0;
+    return (kPerMetre * position.array()).round() / kPerMetre;
+}
+
 VehicleInFrame vehicleInFrame(const VehiclePose& pose, const Eigen::Vector3d& origin)
 {
-    return {pose.attitude.toRotationMatrix().cast<float>(), (pose.position - origin).cast<float>()};
+    return {pose.attitude.toRotationMatrix().cast<float>(),
+            (onGrid(pose.position) - origin).cast<float>()};
 }
 
 int ScanPath::stepOf(float time)

@@ -16,6 +16,11 @@ struct VehicleInFrame
     Eigen::Vector3f translation = Eigen::Vector3f::Zero();
 };
 
+/// The nearest position (m) on a grid of 2^-16 m, 15 micrometres: double precision holds these and
+/// their differences exactly, wherever on Earth. So the numbers of a frame are the same bits near
+/// the world's origin and far away.
+Eigen::Vector3d onGrid(const Eigen::Vector3d& position);
+
 VehicleInFrame vehicleInFrame(const VehiclePose& pose, const Eigen::Vector3d& origin);
 
 /// Poses at steps of time, counted from the scan's time. Between two of the INS trajectory's, 1 ms

@@ -12,9 +12,9 @@ LadarFrame emptyFrame(const Scan& scan, const VehiclePose& pose)
 {
     LadarFrame frame;
     frame.time = scan.time;
-    frame.sensor = pose.position + pose.attitude * scan.sensorInVehicle;
-    // Whole metres are exact in single and double precision alike.
-    frame.origin = pose.position.array().round();
+    // The vehicle itself: where it is in the world is in none of the hits' numbers.
+    frame.origin = onGrid(pose.position);
+    frame.sensor = frame.origin + onGrid(pose.attitude * scan.sensorInVehicle);
     frame.planar = scan.planar;
     frame.points.intensity = scan.points.intensity;
     frame.points.time = scan.points.time;

@@ -19,6 +19,16 @@ HeadingCues driving(double direction, double speed)
     return cues;
 }
 
+// Faces seen from end to end.
+HeadingCues seen(std::optional<double> side, std::optional<double> end, double height = 1.5)
+{
+    HeadingCues cues;
+    if (side) cues.side = {*side, 1.0};
+    if (end) cues.end = {*end, 1.0};
+    cues.height = height;
+    return cues;
+}
+
 HeadingBelief afterFrames(HeadingBelief belief, const HeadingCues& cues, int frames)
 {
     for (int k = 0; k < frames; ++k) belief = belief.after(cues);
@@ -36,10 +46,7 @@ TEST(HeadingBelief, KnowsNothingOfFrontAndRearAtFirst)
 TEST(HeadingBelief, OneFrameTurnsNothing)
 {
     EXPECT_EQ(HeadingBelief().after(driving(kPi, 8.0)).turnDue(kDecisive), 0);
-    HeadingCues wide;
-    wide.width = 4.2;
-    wide.length = 1.7;
-    EXPECT_EQ(HeadingBelief().after(wide).turnDue(kDecisive), 0);
+    EXPECT_EQ(HeadingBelief().after(seen(1.7, 4.2)).turnDue(kDecisive), 0);
 }
 
 TEST(HeadingBelief, DrivingBackwardsForLongTurnsByHalf)
@@ -58,6 +65,18 @@ TEST(HeadingBelief, WhoDroveForwardMayReverseSlowlyButNotFast)
     EXPECT_EQ(afterFrames(forward, driving(kPi, 9.0), 20).turnDue(kDecisive), 2);
 }
 
+TEST(HeadingBelief, MovingBackwardsTellsTheFrontOfWhatIsNew)
+{
+    HeadingCues backwards;
+    backwards.forth = 0.001;
+    EXPECT_EQ(HeadingBelief().after(backwards).turnDue(2.5), 2);
+    HeadingCues perhaps;
+    perhaps.forth = 0.2;
+    EXPECT_EQ(afterFrames({}, perhaps, 100).turnDue(2.5), 0);
+    const HeadingBelief forward = afterFrames({}, driving(0.0, 3.0), 5);
+    EXPECT_EQ(afterFrames(forward, backwards, 100).turnDue(0.0), 0);
+}
+
 TEST(HeadingBelief, DrivingAcrossTurnsByAQuarter)
 {
     EXPECT_EQ(afterFrames({}, driving(0.5 * kPi, 5.0), 6).turnDue(kDecisive), 1);
@@ -66,35 +85,57 @@ TEST(HeadingBelief, DrivingAcrossTurnsByAQuarter)
 
 TEST(HeadingBelief, SidesTakenForEndsTurnByAQuarterAndNeverBack)
 {
-    HeadingCues across;
-    across.width = 4.3;
-    across.length = 1.8;
-    const HeadingBelief belief = afterFrames({}, across, 10);
+    const HeadingBelief belief = afterFrames({}, seen(1.8, 4.3), 10);
     const int quarters = belief.turnDue(kDecisive);
     EXPECT_EQ(quarters % 2, 1);
-    HeadingCues right;
-    right.width = 1.8;
-    right.length = 4.3;
-    EXPECT_EQ(afterFrames(belief.turned(quarters), right, 50).turnDue(kDecisive), 0);
+    EXPECT_EQ(afterFrames(belief.turned(quarters), seen(4.3, 1.8), 50).turnDue(kDecisive), 0);
+}
+
+TEST(HeadingBelief, EndsTakenForSidesTurnEvenIfAMirrorMakesThemWide)
+{
+    EXPECT_EQ(afterFrames({}, seen(2.3, std::nullopt), 20).turnDue(kDecisive) % 2, 1);
+    EXPECT_EQ(afterFrames({}, seen(2.7, std::nullopt, 3.0), 20).turnDue(kDecisive) % 2, 1);
+}
+
+TEST(HeadingBelief, APartThatIsTooLongForAnEndIsPartOfASide)
+{
+    HeadingCues part;
+    part.end = {3.3, 0.0};
+    EXPECT_EQ(afterFrames({}, part, 20).turnDue(kDecisive) % 2, 1);
+    part.end = {1.5, 0.0};
+    EXPECT_EQ(afterFrames({}, part, 100).turnDue(0.0), 0);
+    HeadingCues partOfSide;
+    partOfSide.side = {1.2, 0.0};
+    EXPECT_EQ(afterFrames({}, partOfSide, 100).turnDue(kDecisive), 0);
+}
+
+TEST(HeadingBelief, WeakEvidenceDoesNotGrowStrongByRepetition)
+{
+    HeadingCues vague;
+    vague.end = {2.1, 0.0};
+    const HeadingBelief some = afterFrames({}, vague, 10);
+    EXPECT_DOUBLE_EQ(afterFrames(some, vague, 1000).axesProbability(), some.axesProbability());
 }
 
 TEST(HeadingBelief, WideEndsOfTrucksAreEnds)
 {
-    HeadingCues truck;
-    truck.width = 2.55;
-    truck.widestEnd = 2.7;
-    EXPECT_EQ(afterFrames({}, truck, 100).turnDue(kDecisive), 0);
-    truck.widestEnd = 2.15;  // as low as a car
-    EXPECT_EQ(afterFrames({}, truck, 100).turnDue(kDecisive) % 2, 1);
+    EXPECT_EQ(afterFrames({}, seen(std::nullopt, 2.55, 3.0), 100).turnDue(kDecisive), 0);
 }
 
-TEST(HeadingBelief, PolesAndPeopleTellNothing)
+TEST(HeadingBelief, PolesAndPeopleTurnNothing)
 {
-    HeadingCues small;
-    small.width = 0.8;
-    small.length = 0.6;
-    const HeadingBelief belief = afterFrames({}, small, 100);
-    EXPECT_NEAR(belief.axesProbability(), HeadingBelief().axesProbability(), 1e-9);
+    EXPECT_EQ(afterFrames({}, seen(0.6, 0.8), 100).turnDue(kDecisive), 0);
+}
+
+TEST(VehicleSizes, TellEndsFromSides)
+{
+    EXPECT_GT(endOverSide({1.8, 0.7}, 1.5), 2.0);
+    EXPECT_LT(endOverSide({4.3, 0.7}, 1.5), -2.0);
+    // As wide as a truck, as high as a car, as high as a truck.
+    EXPECT_GT(endOverSide({2.6, 0.7}, 3.0), endOverSide({2.6, 0.7}, 1.5));
+    // A part tells less than the whole, unless it is too long.
+    EXPECT_LT(endOverSide({1.8, 0.0}, 1.5), endOverSide({1.8, 0.7}, 1.5));
+    EXPECT_LT(endOverSide({3.5, 0.0}, 1.5), -2.0);
 }
 
 }  // namespace

@@ -13,79 +13,97 @@ namespace
 constexpr double kCertain = 9.0;       // most of them that are kept: even habit can be wrong
 constexpr double kLongest = 0.2;       // s, that count for one frame
 constexpr double kCourseRate = 20.0;   // log odds a second
-constexpr double kSizeRate = 10.0;     // log odds a second, for sizes that leave no doubt
+constexpr double kFrameRate = 10.0;    // frames that count for themselves, a second
 constexpr double kReverseSpeed = 4.0;  // m/s: nobody reverses faster on a road
 constexpr double kSideways = 0.5;      // cosine, below which a course is neither forth nor back
+// Who has been seen to drive forward, by so much log odds, may drive slowly in reverse as well.
+constexpr double kKnown = 4.0;
+// Frames show the same thing again and again: all of them say at most so many times what one does.
+constexpr double kRepeats = 3.0;
 
-// Log odds that a face is an end and no side, of one frame; 0 for what is smaller than the ends of
-// cars. Ends may be shortened sides, but no end is longer than the widest one.
-constexpr double kSure = 3.0;
-double endNotSide(double extent, double widestEnd)
+double withEvidence(double odds, double evidence, double frames, double repeats)
 {
-    constexpr double kSmallest = 1.3;    // m
-    constexpr double kTransition = 0.3;  // m
-    if (extent < kSmallest) return 0.0;
-    return std::clamp((widestEnd - extent) / kTransition, -kSure, 1.0);
+    const double most = std::clamp(repeats * evidence, -kCertain, kCertain);
+    const double next = odds + frames * evidence;
+    return evidence > 0.0 ? std::max(odds, std::min(next, most))
+                          : std::min(odds, std::max(next, most));
 }
 
-double sizeEvidence(const HeadingCues& cues)
+// Log odds that what moves does so with its front ahead.
+double frontEvidence(double forth)
 {
-    const bool bothAreSides =
-        cues.width && cues.length && std::min(*cues.width, *cues.length) > cues.widestEnd;
-    if (bothAreSides)
-        return std::clamp(kSure * std::log(*cues.length / *cues.width), -kSure, kSure);
-    double sum = 0.0;
-    if (cues.width) sum += endNotSide(*cues.width, cues.widestEnd);
-    if (cues.length) sum -= endNotSide(*cues.length, cues.widestEnd);
-    return std::clamp(sum, -kSure, kSure);
+    constexpr double kReverse = 0.03;  // of what moves
+    const double ahead = forth * (1.0 - kReverse) + (1.0 - forth) * kReverse;
+    return std::log(ahead / (1.0 - ahead));
 }
 }  // namespace
+
+double axesEvidence(const HeadingCues& cues)
+{
+    double sum = 0.0;
+    if (cues.end) sum += endOverSide(*cues.end, cues.height);
+    if (cues.side) sum -= endOverSide(*cues.side, cues.height);
+    // Hits that are not the vehicle's may make any face long.
+    constexpr double kSure = 4.0;
+    return std::clamp(sum, -kSure, kSure);
+}
 
 HeadingBelief HeadingBelief::after(const HeadingCues& cues) const
 {
     HeadingBelief next = *this;
     const double dt = std::min(cues.dt, kLongest);
-    const double size = 0.5 * kSizeRate * dt * sizeEvidence(cues);
-    for (std::size_t k = 0; k < 4; ++k) next.log_[k] += k % 2 == 0 ? size : -size;
+    const double frames = kFrameRate * dt;
+    next.axes_ = withEvidence(axes_, axesEvidence(cues), frames, kRepeats);
+    const double forth = course_[0] - course_[2];
+    if (std::abs(forth) < kKnown)
+        next.course_[2] -= withEvidence(forth, frontEvidence(cues.forth), frames, 1.0) - forth;
     for (std::size_t k = 0; cues.course && k < 4; ++k)
     {
         const double along = std::cos(cues.course->direction - 0.5 * kPi * static_cast<double>(k));
-        // Who has been seen to drive forward may drive slowly in reverse as well.
-        constexpr double kKnown = 4.0;
         const bool mayReverse =
-            cues.course->speed < kReverseSpeed && log_[k] - log_[(k + 2) % 4] > kKnown;
+            cues.course->speed < kReverseSpeed && course_[k] - course_[(k + 2) % 4] > kKnown;
         const bool fits = along > kSideways || (along < -kSideways && mayReverse);
-        if (!fits) next.log_[k] -= kCourseRate * dt;
+        if (!fits) next.course_[k] -= kCourseRate * dt;
     }
-    const double best = *std::max_element(next.log_.begin(), next.log_.end());
-    for (double& log : next.log_) log = std::max(log - best, -kCertain);
+    const double best = *std::max_element(next.course_.begin(), next.course_.end());
+    for (double& log : next.course_) log = std::max(log - best, -kCertain);
     return next;
+}
+
+std::array<double, 4> HeadingBelief::logs() const
+{
+    std::array<double, 4> all = course_;
+    for (std::size_t k = 1; k < 4; k += 2) all[k] -= axes_;
+    return all;
 }
 
 int HeadingBelief::turnDue(double logOdds) const
 {
-    const auto best = std::max_element(log_.begin(), log_.end());
-    return *best - log_[0] > logOdds ? static_cast<int>(best - log_.begin()) : 0;
+    const std::array<double, 4> all = logs();
+    const auto best = std::max_element(all.begin(), all.end());
+    return *best - all[0] > logOdds ? static_cast<int>(best - all.begin()) : 0;
 }
 
 HeadingBelief HeadingBelief::turned(int quarters) const
 {
     HeadingBelief next;
     for (int k = 0; k < 4; ++k)
-        next.log_[static_cast<std::size_t>(k)] =
-            log_[static_cast<std::size_t>((k + quarters % 4 + 4) % 4)];
+        next.course_[static_cast<std::size_t>(k)] =
+            course_[static_cast<std::size_t>((k + quarters % 4 + 4) % 4)];
+    next.axes_ = quarters % 2 == 0 ? axes_ : -axes_;
     return next;
 }
 
 double HeadingBelief::forwardProbability() const
 {
-    return 1.0 / (1.0 + std::exp(log_[2] - log_[0]));
+    return 1.0 / (1.0 + std::exp(course_[2] - course_[0]));
 }
 
 double HeadingBelief::axesProbability() const
 {
-    const double right = std::exp(log_[0]) + std::exp(log_[2]);
-    return right / (right + std::exp(log_[1]) + std::exp(log_[3]));
+    const std::array<double, 4> all = logs();
+    const double right = std::exp(all[0]) + std::exp(all[2]);
+    return right / (right + std::exp(all[1]) + std::exp(all[3]));
 }
 
 }  // namespace vdamf

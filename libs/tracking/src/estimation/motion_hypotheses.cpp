@@ -4,12 +4,16 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace vdamf
 {
 namespace
 {
-constexpr double kRestTime = 1.6;       // s, in which vehicles that stand may start, or stop
+constexpr double kRestTime = 1.6;  // s, in which vehicles that stand may start, or stop
+// Mean times, s, for which vehicles go on steadily, and for which they brake or turn.
+constexpr double kSteadyTime = 4.0;
+constexpr double kManoeuvreTime = 2.0;
 constexpr double kLeast = 0.02;         // of a probability: nothing is ruled out
 constexpr double kRefuted = 0.05;       // of the standing hypothesis
 constexpr double kFree = 0.1;           // of what moves, does not follow wheels
@@ -37,11 +41,12 @@ VehicleState standingLater(const VehicleState& state, double dt, const MotionOpt
     return later;
 }
 
+// `other` with probability p; steering as of the first one.
 VehicleState mixed(const VehicleState& one, const VehicleState& other, double p)
 {
     StateVector between = other.mean - one.mean;
     between(kHeading) = wrapAngle(between(kHeading));
-    VehicleState state;
+    VehicleState state = one;
     state.mean = one.mean + p * between;
     state.mean(kHeading) = wrapAngle(state.mean(kHeading));
     state.covariance = (1.0 - p) * one.covariance + p * other.covariance +
@@ -62,14 +67,20 @@ double bounded(double probability)
     return std::clamp(probability, kLeast, 1.0 - kLeast);
 }
 
-// Log of how much better one foretold the measurement than the other. What surprises both says
-// little: it counts for as much less as it lies outside the gate of the better one.
-double evidence(const Innovation& one, const Innovation& other, double gate)
+// Likelihoods of a measurement by hypotheses, relative to the best one. What surprises all of them
+// says little: it counts for as much less as it lies outside the gate of the nearest one.
+std::vector<double> likelihoods(const std::vector<Innovation>& foretold, double gate)
 {
-    const double weight = std::min(1.0, gate / std::max(1e-9, std::min(one.nis(), other.nis())));
-    const double volume = std::log(other.covariance.determinant() / one.covariance.determinant());
-    return std::clamp(0.5 * (weight * (other.nis() - one.nis()) + volume), -kMostEvidence,
-                      kMostEvidence);
+    double nearest = gate;
+    for (std::size_t i = 0; i < foretold.size(); ++i)
+        nearest = i == 0 ? foretold[i].nis() : std::min(nearest, foretold[i].nis());
+    const double weight = std::min(1.0, gate / std::max(1e-9, nearest));
+    std::vector<double> logs;
+    for (const Innovation& each : foretold)
+        logs.push_back(-0.5 * (weight * each.nis() + std::log(each.covariance.determinant())));
+    const double best = *std::max_element(logs.begin(), logs.end());
+    for (double& each : logs) each = std::exp(std::max(each - best, -kMostEvidence));
+    return logs;
 }
 
 VehicleState updatedState(const VehicleState& state, BoxMeasurement measurement, double nis,
@@ -78,19 +89,43 @@ VehicleState updatedState(const VehicleState& state, BoxMeasurement measurement,
     if (nis > gate) measurement.covariance *= nis / gate;
     return filter.update(state, measurement);
 }
+
+// What follows its wheels, steadily or not.
+VehicleState onWheels(const MotionHypotheses& h)
+{
+    return mixed(h.moving, h.steady, h.steadyProbability);
+}
+
+// Each of the two starts from what both know, weighed with the odds that it came from there.
+MotionHypotheses interacting(const MotionHypotheses& h, double dt)
+{
+    const double steadyStays = std::exp(-dt / kSteadyTime);
+    const double movingStays = std::exp(-dt / kManoeuvreTime);
+    const double moves = 1.0 - h.steadyProbability;
+    MotionHypotheses next = h;
+    next.steadyProbability = h.steadyProbability * steadyStays + moves * (1.0 - movingStays);
+    next.steady = mixed(h.steady, h.moving, moves * (1.0 - movingStays) / next.steadyProbability);
+    next.moving = mixed(h.moving, h.steady,
+                        h.steadyProbability * (1.0 - steadyStays) / (1.0 - next.steadyProbability));
+    return next;
+}
 }  // namespace
 
 VehicleState MotionHypotheses::combined(const MotionOptions& options) const
 {
     const double freeShare = share(freeProbability);
+    const VehicleState wheels = onWheels(*this);
     const VehicleState driving =
-        freeShare > 0.0 ? mixed(moving, variableAxisOf(free, moving, options), freeShare) : moving;
+        freeShare > 0.0 ? mixed(wheels, variableAxisOf(free, wheels, options), freeShare) : wheels;
     return mixed(driving, standing, share(standingProbability));
 }
 
 MotionHypotheses hypothesesFrom(const VehicleState& state, const MotionOptions& options)
 {
-    MotionHypotheses all{state, atRest(state), 0.5, {}, 0.0};
+    MotionHypotheses all;
+    all.moving = all.steady = state;
+    all.steady.steering = Steering::Steady;
+    all.standing = atRest(state);
     if (!options.independent) return all;
     all.free = independentOf(state);
     // Across its heading a vehicle may be as fast as along it, if the heading is wrong.
@@ -106,8 +141,9 @@ MotionHypotheses predicted(const MotionHypotheses& h, double dt, VehicleKalmanFi
                            const MotionOptions& options)
 {
     const double stays = std::exp(-dt / kRestTime);
-    MotionHypotheses next = h;
-    next.moving = filter.predict(h.moving, dt);
+    MotionHypotheses next = interacting(h, dt);
+    next.moving = filter.predict(next.moving, dt);
+    next.steady = filter.predict(next.steady, dt);
     next.standing = standingLater(h.standing, dt, options);
     next.standingProbability = 0.5 + stays * (h.standingProbability - 0.5);
     if (h.freeProbability > 0.0)
@@ -121,40 +157,36 @@ MotionHypotheses predicted(const MotionHypotheses& h, double dt, VehicleKalmanFi
 MotionHypotheses updated(const MotionHypotheses& h, const BoxMeasurement& measurement,
                          VehicleKalmanFilter& filter, double nisGate)
 {
-    const auto foretold = [&](const VehicleState& state)
-    { return innovationOf(stateAt(state, measurement.lag, filter.options()), measurement); };
-    const Innovation moving = foretold(h.moving);
-    const Innovation standing = foretold(h.standing);
+    std::vector<Innovation> foretold;
     MotionHypotheses next = h;
-    Innovation driving = moving;  // of the likelier one of those that move
-    double weight = 1.0 - h.freeProbability;
-    double weightOfOther = 0.0;
+    const auto update = [&](VehicleState& state)
+    {
+        foretold.push_back(
+            innovationOf(stateAt(state, measurement.lag, filter.options()), measurement));
+        state = updatedState(state, measurement, foretold.back().nis(), filter, nisGate);
+    };
+    for (VehicleState* state : {&next.moving, &next.steady, &next.standing}) update(*state);
+    if (foretold.front().nis() > nisGate)
+        next.moving.covariance(kSpeed, kSpeed) += kSurpriseSigma * kSurpriseSigma;
+    if (h.freeProbability > 0.0) update(next.free);
+
+    const std::vector<double> likelihood = likelihoods(foretold, nisGate);
+    const double steady = h.steadyProbability * likelihood[1];
+    const double wheels = steady + (1.0 - h.steadyProbability) * likelihood[0];
+    next.steadyProbability = bounded(steady / wheels);
+    double moves = wheels;
     if (h.freeProbability > 0.0)
     {
-        const Innovation freely = foretold(h.free);
-        const double likelihood = std::exp(evidence(freely, moving, nisGate));
-        next.free = updatedState(h.free, measurement, freely.nis(), filter, nisGate);
-        const double odds = h.freeProbability / (1.0 - h.freeProbability) * likelihood;
-        next.freeProbability = bounded(odds / (1.0 + odds));
-        weightOfOther = h.freeProbability * likelihood;
-        if (odds > 1.0)
-        {
-            driving = freely;
-            weightOfOther = weight / likelihood;
-            weight = h.freeProbability;
-        }
+        const double free = h.freeProbability * likelihood[3];
+        moves = free + (1.0 - h.freeProbability) * wheels;
+        next.freeProbability = bounded(free / moves);
     }
-    const double odds = h.standingProbability / (1.0 - h.standingProbability) *
-                        std::exp(evidence(standing, driving, nisGate)) / (weight + weightOfOther);
-    next.standingProbability = bounded(odds / (1.0 + odds));
-    next.moving = updatedState(h.moving, measurement, moving.nis(), filter, nisGate);
-    if (moving.nis() > nisGate)
-        next.moving.covariance(kSpeed, kSpeed) += kSurpriseSigma * kSurpriseSigma;
-    next.standing = updatedState(h.standing, measurement, standing.nis(), filter, nisGate);
+    const double stands = h.standingProbability * likelihood[2];
+    next.standingProbability = bounded(stands / (stands + (1.0 - h.standingProbability) * moves));
     if (next.standingProbability < kRefuted)
         next.standing = atRest(share(next.freeProbability) > 0.5
                                    ? variableAxisOf(next.free, next.moving, filter.options())
-                                   : next.moving);
+                                   : onWheels(next));
     return next;
 }
 

@@ -22,10 +22,19 @@ StateVector VariableAxisModel::bounded(const StateVector& state) const
     return withinBounds(state, options_);
 }
 
+MotionOptions steadyOptions(MotionOptions options)
+{
+    options.accelerationSigma *= options.steadyShare;
+    options.maxCurvatureRate *= options.steadyShare;
+    options.lateralJerk *= options.steadyShare;
+    return options;
+}
+
 std::unique_ptr<MotionModel> modelOf(Steering steering, const MotionOptions& options)
 {
     if (steering == Steering::Independent) return std::make_unique<IndependentModel>(options);
-    return std::make_unique<VariableAxisModel>(options);
+    return std::make_unique<VariableAxisModel>(steering == Steering::Steady ? steadyOptions(options)
+                                                                            : options);
 }
 
 VehicleState stateAt(const VehicleState& state, double dt, const MotionOptions& options)

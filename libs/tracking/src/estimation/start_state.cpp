@@ -86,7 +86,7 @@ VehicleState grownToAVehicle(const VehicleState& predicted, const Measurement& m
     const double side = m.facesSeen.has(Face::Back) ? 0.5 : -0.5;
     StateVector byFace = StateVector::Zero();
     byFace.head<2>() = side * rotation(predicted.mean(kHeading)).col(0);
-    if (predicted.steering == Steering::VariableAxis) byFace(kAxis) = side;
+    if (predicted.steering != Steering::Independent) byFace(kAxis) = side;
     byFace(kLength) = 1.0;
     VehicleState next = predicted;
     next.mean += (behind->metres - predicted.mean(kLength)) * byFace;

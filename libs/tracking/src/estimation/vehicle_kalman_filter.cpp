@@ -12,7 +12,10 @@ class VehicleKalmanFilter::Engine : public mrpt::bayes::CKalmanFilterCapable<7, 
 {
 public:
     explicit Engine(const MotionOptions& options)
-        : options_(options), variableAxis_(options), independent_(options)
+        : options_(options),
+          variableAxis_(options),
+          steady_(steadyOptions(options)),
+          independent_(options)
     {
         KF_options.method = mrpt::bayes::kfEKFNaive;
         KF_options.use_analytic_transition_jacobian = true;
@@ -27,9 +30,7 @@ public:
     VehicleState step(const VehicleState& state, double dt, const BoxMeasurement* measurement)
     {
         dt_ = dt;
-        model_ = state.steering == Steering::Independent
-                     ? static_cast<const MotionModel*>(&independent_)
-                     : &variableAxis_;
+        model_ = &modelFor(state.steering);
         measurement_ = measurement;
         m_xkk.asEigen() = state.mean;
         m_pkk.asEigen() = state.covariance;
@@ -110,6 +111,12 @@ protected:
 private:
     static constexpr std::array<int, 4> kMeasured{kX, kY, kHeading, kLength};
 
+    const MotionModel& modelFor(Steering steering) const
+    {
+        if (steering == Steering::Independent) return independent_;
+        return steering == Steering::Steady ? steady_ : variableAxis_;
+    }
+
     StateVector stateWhenMeasured() const
     {
         if (measurement_ == nullptr || measurement_->lag == 0.0) return m_xkk.asEigen();
@@ -118,6 +125,7 @@ private:
 
     MotionOptions options_;
     VariableAxisModel variableAxis_;
+    VariableAxisModel steady_;
     IndependentModel independent_;
     const MotionModel* model_ = &variableAxis_;
     double dt_ = 0.0;

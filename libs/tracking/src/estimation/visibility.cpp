@@ -122,7 +122,7 @@ VehicleState openToGrowth(const VehicleState& predicted, const Measurement& m,
         byFace.head<2>() = 0.5 * sign * rotation(predicted.mean(kHeading)).col(axis);
         if (axis == 0)
         {
-            if (next.steering == Steering::VariableAxis) byFace(kAxis) = 0.5 * sign;
+            if (next.steering != Steering::Independent) byFace(kAxis) = 0.5 * sign;
             byFace(kLength) = 1.0;
         }
         else

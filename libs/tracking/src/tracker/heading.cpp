@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "tracker/track.h"
 
@@ -11,14 +13,16 @@ namespace vdamf
 namespace
 {
 constexpr double kCourseDistance = 1.5;  // m: beyond what measurement noise could feign
-constexpr double kCourseSpeed = 0.75;    // m/s
+constexpr double kCourseSpeed = 0.5;     // m/s
 constexpr double kLeastShare = 0.5;      // of the mean speed, in each half of a steady course
-// Log odds from which on a heading is changed: of young tracks and of others.
+// Log odds from which on length and width are exchanged, of young tracks and of others, and front
+// and rear.
 constexpr double kLikely = 1.0;
 constexpr double kDecisive = 5.0;
+constexpr double kLikelyFront = 2.5;
 constexpr int kYoung = 10;  // sightings
 
-// Straight displacement over the path kept.
+// Straight displacement over some of the path.
 struct Course
 {
     double direction = 0.0;  // rad
@@ -32,23 +36,57 @@ struct Course
     }
 };
 
-Course courseBetween(const PathPoint& from, const PathPoint& to)
+// Half the extent of a box along a direction, m.
+double halfAlong(const OrientedBox& box, double direction)
 {
-    const Eigen::Vector2d move = to.position - from.position;
-    return {std::atan2(move.y(), move.x()), move.norm(), to.time - from.time};
+    const double angle = direction - box.heading;
+    return 0.5 * (std::abs(box.length * std::cos(angle)) + std::abs(box.width * std::sin(angle)));
 }
 
-// The course of a track that goes on steadily: both halves of its path lead the same way. The
-// centre of a box that grows as more of it is seen jumps instead.
+// How far a box has moved along a direction (m): as far as that one of its two faces there that has
+// moved less. The centre of a box that grows as more of it is seen moves as well, but only one face
+// does.
+double movedAlong(double direction, const OrientedBox& from, const OrientedBox& to)
+{
+    const Eigen::Vector2d axis(std::cos(direction), std::sin(direction));
+    const double centre = axis.dot(to.centre() - from.centre());
+    const double growth = halfAlong(to, direction) - halfAlong(from, direction);
+    return std::copysign(std::max(0.0, std::abs(centre) - std::abs(growth)), centre);
+}
+
+bool showsPlace(FaceSet located, int axis)
+{
+    return axis == 0 ? located.seesEnd() : located.seesSide();
+}
+
+Course courseBetween(const PathPoint& from, const PathPoint& to)
+{
+    Eigen::Vector2d move = Eigen::Vector2d::Zero();
+    for (int axis = 0; axis < 2; ++axis)
+    {
+        // With neither face in view, what hides them may be what moves.
+        if (!showsPlace(from.located, axis) || !showsPlace(to.located, axis)) continue;
+        move(axis) = movedAlong(to.box.heading + 0.5 * kPi * axis, from.box, to.box);
+    }
+    return {to.box.heading + std::atan2(move.y(), move.x()), move.norm(), to.time - from.time};
+}
+
+// The course of a track that goes on steadily, over the last second or, if it is slow, over as long
+// as it takes to tell: both halves of the path lead the same way.
 std::optional<Course> steadyCourse(const Track& track)
 {
+    constexpr double kLeastTime = 1.0;  // s
     if (track.path.size() < 3) return std::nullopt;
-    const Course all = courseBetween(track.path.front(), track.path.back());
+    const PathPoint& last = track.path.back();
+    std::size_t first = track.path.size();
+    Course all;
+    while (first > 0 && (all.distance < kCourseDistance || all.duration < kLeastTime))
+        all = courseBetween(track.path[--first], last);
     if (all.distance < kCourseDistance || all.distance < kCourseSpeed * all.duration)
         return std::nullopt;
-    const PathPoint& middle = track.path[track.path.size() / 2];
+    const PathPoint& middle = track.path[(first + track.path.size()) / 2];
     for (const Course& half :
-         {courseBetween(track.path.front(), middle), courseBetween(middle, track.path.back())})
+         {courseBetween(track.path[first], middle), courseBetween(middle, last)})
     {
         const double along = half.speedAlong(all.direction) * all.duration / all.distance;
         if (along < kLeastShare) return std::nullopt;
@@ -57,13 +95,11 @@ std::optional<Course> steadyCourse(const Track& track)
 }
 
 // What the sighting just taken in and the path that it ends tell of the front.
-HeadingCues cuesOf(const Track& track)
+HeadingCues cuesOf(const Track& track, const Sighting& sighting)
 {
-    const Measurement& m = *track.measurement;
-    HeadingCues cues;
-    cues.widestEnd = widestEnd(track.height);
-    if (locatesLength(m)) cues.length = m.box.length;
-    if (locatesWidth(m)) cues.width = m.box.width;
+    HeadingCues cues = sizeCues(sighting, track.height);
+    const double variance = track.state.covariance(kSpeed, kSpeed);
+    cues.forth = 0.5 * std::erfc(-track.state.mean(kSpeed) / std::sqrt(2.0 * variance));
     if (track.path.size() < 2) return cues;
     cues.dt = track.path.back().time - track.path[track.path.size() - 2].time;
     if (const auto course = steadyCourse(track))
@@ -86,6 +122,21 @@ Measurement narrowed(const Measurement& measurement, const Eigen::Vector2d& sens
     m.box.width = options.carWidth;
     m.hiddenEnds.add(near > 0.0 ? Face::Right : Face::Left);
     return m;
+}
+
+// The same path of a box turned by quarters.
+std::vector<PathPoint> turned(std::vector<PathPoint> path, int quarters)
+{
+    for (PathPoint& point : path)
+    {
+        Measurement m;
+        m.box = point.box;
+        m.facesSeen = point.located;
+        m = turnedBy(m, quarters);
+        point.box = m.box;
+        point.located = m.facesSeen;
+    }
+    return path;
 }
 
 // The track started anew with its measurement turned; it keeps its identity and history.
@@ -130,23 +181,44 @@ Track reversed(const Track& track, const MotionOptions& motion)
 {
     Track next = track;
     next.hypotheses.moving = reversed(track.hypotheses.moving, motion);
+    next.hypotheses.steady = reversed(track.hypotheses.steady, motion);
     next.hypotheses.standing = reversed(track.hypotheses.standing, motion);
     next.hypotheses.free.mean(kHeading) = wrapAngle(track.hypotheses.free.mean(kHeading) + kPi);
     next.state = next.hypotheses.combined(motion);
     next.measurement = alignedWith(*track.measurement, next.state.mean(kHeading));
     return next;
 }
+
+int dueTurn(const HeadingBelief& front, bool isNew)
+{
+    const int quarters = front.turnDue(isNew ? kLikely : kDecisive);
+    if (quarters % 2 == 1) return quarters;
+    return front.turnDue(kLikelyFront) == 2 ? 2 : 0;
+}
 }  // namespace
+
+HeadingCues sizeCues(const Sighting& sighting, double height)
+{
+    // Rows of few hits break off before the face ends.
+    constexpr double kFewHits = 30.0;
+    const Measurement& m = sighting.measurement;
+    const double whole = m.hits / (m.hits + kFewHits);
+    HeadingCues cues;
+    cues.height = height;
+    if (m.facesSeen.seesSide()) cues.side = {sighting.extent.x(), locatesLength(m) ? whole : 0.0};
+    if (m.facesSeen.seesEnd()) cues.end = {sighting.extent.y(), locatesWidth(m) ? whole : 0.0};
+    return cues;
+}
 
 Track withCheckedHeading(const Track& track, const Sighting& sighting,
                          const TrackerOptions& options)
 {
     Track next = track;
-    next.front = track.front.after(cuesOf(track));
-    const bool isNew = track.sightings < kYoung;
-    const int quarters = next.front.turnDue(isNew ? kLikely : kDecisive);
+    next.front = track.front.after(cuesOf(track, sighting));
+    const int quarters = dueTurn(next.front, track.sightings < kYoung);
     if (quarters == 0) return next;
     next.front = next.front.turned(quarters);
+    next.path = turned(std::move(next.path), quarters);
     if (quarters == 2) return reversed(next, options.motion);
     return quarterTurned(next, sighting, quarters, options);
 }

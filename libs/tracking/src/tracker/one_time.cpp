@@ -97,11 +97,11 @@ Cluster movedTo(double time, Cluster cluster, const TargetMotion& motion)
 }
 }  // namespace
 
-TargetMotion motionOf(const VehicleState& state, const SegmentedFrame& frame)
+TargetMotion motionOf(const VehicleState& state)
 {
     const double v = state.mean(kSpeed);
     TargetMotion motion;
-    motion.centre = state.mean.head<2>() - frame.origin.head<2>();
+    motion.centre = state.mean.head<2>();
     motion.yawRate = state.yawRate();
     motion.velocity =
         rotation(state.mean(kHeading)) * Eigen::Vector2d(v, state.mean(kAxis) * motion.yawRate);

@@ -19,8 +19,7 @@ struct TargetMotion
     double speedSigma = 0.0;                             ///< m/s
 };
 
-/// Motion of a state, with its centre relative to the frame's origin.
-TargetMotion motionOf(const VehicleState& state, const SegmentedFrame& frame);
+TargetMotion motionOf(const VehicleState& state);
 
 /// The hits of some clusters at their mean time, moved there by the target's motion; as they are
 /// where hits have no times. Their mean stays where it is, so that a wrong motion distorts the

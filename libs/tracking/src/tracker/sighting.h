@@ -14,20 +14,17 @@
 
 namespace vdamf
 {
-/// A frame behind the segmentation. Clusters, hits and boxes are relative to the frame's origin.
+/// A frame behind the segmentation. All positions are relative to the frame's origin.
 struct SegmentedFrame
 {
     double time = 0.0;                                 ///< s
-    Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< world, m
-    Eigen::Vector3d sensor = Eigen::Vector3d::Zero();  ///< world, m
+    Eigen::Vector2d sensor = Eigen::Vector2d::Zero();  ///< m
     std::size_t points = 0;
     std::size_t pointsAboveGround = 0;
     bool planar = false;
     RangeProfile profile;
     std::vector<Cluster> clusters;
     std::vector<Hits> hits;  ///< of each cluster
-
-    Eigen::Vector2d sensorInFrame() const { return (sensor - origin).head<2>(); }
 };
 
 /// Hits as they lay together at one time.
@@ -40,7 +37,7 @@ struct HitsAtOneTime
     std::optional<Eigen::Vector2d> goesOn;
 };
 
-/// Hits of one target in one frame, and what they measured. World frame.
+/// Hits of one target in one frame, and what they measured, relative to the frame's origin.
 struct Sighting
 {
     double time = 0.0;                                 ///< of the frame, s
@@ -48,8 +45,9 @@ struct Sighting
     Eigen::Vector2d sensor = Eigen::Vector2d::Zero();  ///< m
     std::vector<std::size_t> clusters;                 ///< of the frame, whose hits they are
     Measurement measurement;
-    double groundZ = 0.0;  ///< local ground, m
-    double height = 0.0;   ///< of the highest hit above it, m
+    Eigen::Vector2d extent = Eigen::Vector2d::Zero();  ///< of the hits along and across the box, m
+    double groundZ = 0.0;                              ///< local ground, m
+    double height = 0.0;                               ///< of the highest hit above it, m
 };
 
 /// Height of the highest hit above the local ground, m.
@@ -58,14 +56,17 @@ double heightOf(const Cluster& cluster);
 /// The hits of some of the frame's clusters together.
 Hits hitsOf(const SegmentedFrame& frame, const std::vector<std::size_t>& clusters);
 
+/// Extent of hits along and across a heading, m, but for the outermost hundredth.
+Eigen::Vector2d extentOf(const Hits& hits, double heading);
+
 /// The measurement of a target that goes on towards a point (m, same frame) that it does not show:
 /// its end or side there is hidden.
 Measurement goingOnTowards(const Measurement& measurement, const Eigen::Vector2d& point);
 
-/// Measures the hits of some clusters from a start, relative to the frame's origin.
+/// Measures the hits of some clusters from a start.
 Sighting sightingOf(const SegmentedFrame& frame, const std::vector<std::size_t>& clusters,
                     const HitsAtOneTime& seen, const OrientedBox& start,
                     const std::optional<Eigen::Vector2d>& knownLengthWidth,
-                    const MeasureOptions& options);
+                    const MeasureOptions& options, const SearchEffort& effort = {});
 
 }  // namespace vdamf

@@ -8,11 +8,14 @@ namespace vdamf
 {
 namespace
 {
-void appendToPath(Track& track, double time, const Eigen::Vector2d& position)
+void appendToPath(Track& track, const PathPoint& point)
 {
-    constexpr double kPathTime = 1.0;  // s
-    track.path.push_back({time, position});
-    while (track.path.front().time < time - kPathTime) track.path.pop_front();
+    constexpr double kPathTime = 3.0;  // s
+    track.path.push_back(point);
+    const auto first =
+        std::find_if(track.path.begin(), track.path.end(),
+                     [&](const PathPoint& p) { return p.time >= point.time - kPathTime; });
+    track.path.erase(track.path.begin(), first);
 }
 
 // The measurement as it would have been `lag` seconds before, at the time of the state.
@@ -47,30 +50,30 @@ Track startedTrack(std::uint64_t id, const Sighting& sighting, const StartSpeed&
     track.measurement = m;
     track.lastMatch = m.match;
     if (options.lifecycle.confirmHits <= 1) track.status = TrackStatus::Confirmed;
-    appendToPath(track, sighting.time + sighting.lag, seen.mean.head<2>());
+    appendToPath(track, {sighting.time + sighting.lag, seen.box(), locatedFaces(m)});
     return track;
 }
 
-Track sightedTrack(const Track& before, const Sighting& sighting, VehicleKalmanFilter& filter,
+Track sightedTrack(Track track, const Sighting& sighting, VehicleKalmanFilter& filter,
                    const TrackerOptions& options)
 {
-    Track track = before;
     const VisibilityOptions& visibility = options.visibility;
     const Measurement m = alignedWith(
-        sighting.measurement, stateAt(before.state, sighting.lag, options.motion).mean(kHeading));
-    MotionHypotheses hypotheses = before.hypotheses;
-    for (VehicleState* state : {&hypotheses.moving, &hypotheses.standing, &hypotheses.free})
-        *state = grownToAVehicle(*state, m, before.told, visibility);
+        sighting.measurement, stateAt(track.state, sighting.lag, options.motion).mean(kHeading));
+    MotionHypotheses hypotheses = track.hypotheses;
+    hypotheses.forEach([&](const VehicleState& state)
+                       { return grownToAVehicle(state, m, track.told, visibility); });
     const VehicleState then =
         stateAt(hypotheses.combined(options.motion), sighting.lag, options.motion);
     BoxMeasurement box =
         boxThrough(m, faceErrors(m, then, visibility), then.size(), sighting.sensor, visibility);
     box.lag = sighting.lag;
     track.nis = innovationOf(then, box).nis();
-    for (VehicleState* state : {&hypotheses.moving, &hypotheses.standing, &hypotheses.free})
-        *state = openToGrowth(*state, broughtTo(*state, m, box.lag, options.motion), visibility);
+    hypotheses.forEach(
+        [&](const VehicleState& state)
+        { return openToGrowth(state, broughtTo(state, m, box.lag, options.motion), visibility); });
     track.hypotheses = updated(hypotheses, box, filter, options.lifecycle.nisGate);
-    track.told = before.told.with(m);
+    track.told = track.told.with(m);
     track.state = track.hypotheses.combined(options.motion);
     track.measurement = m;
     track.lastMatch = m.match;
@@ -82,18 +85,39 @@ Track sightedTrack(const Track& before, const Sighting& sighting, VehicleKalmanF
     if (track.status == TrackStatus::Coasting || (track.status == TrackStatus::Tentative &&
                                                   track.sightings >= options.lifecycle.confirmHits))
         track.status = TrackStatus::Confirmed;
-    appendToPath(track, sighting.time + sighting.lag, box.box.head<2>());
+    const Vector5d& b = box.box;
+    appendToPath(track,
+                 {sighting.time + sighting.lag, {b(0), b(1), b(2), b(3), b(4)}, locatedFaces(m)});
     return withCheckedHeading(track, sighting, options);
 }
 
-Track predictedTrack(const Track& before, double dt, VehicleKalmanFilter& filter,
+Track movedBy(Track track, const Eigen::Vector3d& by)
+{
+    const auto moved = [&](VehicleState state)
+    {
+        state.mean.head<2>() += by.head<2>();
+        return state;
+    };
+    track.hypotheses.forEach(moved);
+    track.state = moved(track.state);
+    for (PathPoint& point : track.path)
+    {
+        point.box.x += by.x();
+        point.box.y += by.y();
+    }
+    track.groundZ += by.z();
+    return track;
+}
+
+Track predictedTrack(Track track, double dt, VehicleKalmanFilter& filter,
                      const MotionOptions& options)
 {
-    Track track = before;
-    track.hypotheses = predicted(before.hypotheses, dt, filter, options);
+    track.hypotheses = predicted(track.hypotheses, dt, filter, options);
     // Unseen, a vehicle is likelier to go straight on than to keep turning in a circle.
     constexpr double kTurnTime = 0.7;  // s
-    if (before.misses > 0) track.hypotheses.moving.mean(kCurvature) *= std::exp(-dt / kTurnTime);
+    if (track.misses > 0)
+        for (VehicleState* state : {&track.hypotheses.moving, &track.hypotheses.steady})
+            state->mean(kCurvature) *= std::exp(-dt / kTurnTime);
     track.state = track.hypotheses.combined(options);
     track.measurement.reset();
     track.nis.reset();

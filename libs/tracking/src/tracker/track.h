@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <cstdint>
-#include <deque>
 #include <optional>
 #include <vector>
 
@@ -17,19 +16,21 @@
 
 namespace vdamf
 {
-/// A measured position of a track.
+/// Where a track was measured.
 struct PathPoint
 {
     double time = 0.0;
-    Eigen::Vector2d position = Eigen::Vector2d::Zero();  ///< world, m
+    OrientedBox box;  ///< m, rad
+    FaceSet located;  ///< those whose place the measurement told
 };
 
+/// All positions are relative to the origin of the frame of its last prediction.
 struct Track
 {
     std::uint64_t id = 0;
     TrackStatus status = TrackStatus::Tentative;
-    MotionHypotheses hypotheses;  ///< world
-    VehicleState state;           ///< both together
+    MotionHypotheses hypotheses;
+    VehicleState state;  ///< both together
     double groundZ = 0.0;
     double height = 0.0;
     int sightings = 0;
@@ -38,7 +39,7 @@ struct Track
     double lastMatch = 0.0;  ///< response per hit of the last sighting, 1/m
     HeadingBelief front;
     SizesTold told;
-    std::deque<PathPoint> path;        ///< sightings of the last second
+    std::vector<PathPoint> path;       ///< sightings of the last seconds
     VehicleEvidence evidence;          ///< of the discriminator
     std::vector<double> typeEvidence;  ///< by filter of the bank, log-likelihoods
     std::optional<TypeProbability> type;
@@ -62,16 +63,23 @@ Track startedTrack(std::uint64_t id, const Sighting& sighting, const StartSpeed&
                    const TrackerOptions& options);
 
 /// The track after a sighting: visibility correction, Kalman update, heading checks.
-Track sightedTrack(const Track& track, const Sighting& sighting, VehicleKalmanFilter& filter,
+Track sightedTrack(Track track, const Sighting& sighting, VehicleKalmanFilter& filter,
                    const TrackerOptions& options);
+
+/// What the faces that a sighting shows of a vehicle of that height (m) tell of its axes.
+HeadingCues sizeCues(const Sighting& sighting, double height);
 
 /// The track with its front where path and sizes say it is: exchanged with the rear or turned by a
 /// quarter once the odds for that are high. `sighting` is the one that was just taken in.
 Track withCheckedHeading(const Track& track, const Sighting& sighting,
                          const TrackerOptions& options);
 
+/// The track with all positions moved (m), for a frame of another origin. What it has of the last
+/// frame stays as it is.
+Track movedBy(Track track, const Eigen::Vector3d& by);
+
 /// The track `dt` seconds later.
-Track predictedTrack(const Track& track, double dt, VehicleKalmanFilter& filter,
+Track predictedTrack(Track track, double dt, VehicleKalmanFilter& filter,
                      const MotionOptions& options);
 
 TrackReport reportOf(const Track& track, const VisibilityOptions& options);

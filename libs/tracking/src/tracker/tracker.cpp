@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "association/plane_index.h"
@@ -19,11 +20,19 @@ namespace vdamf
 {
 namespace
 {
-OrientedBox relativeTo(OrientedBox box, const Eigen::Vector3d& origin)
+OrientedBox movedBy(OrientedBox box, const Eigen::Vector3d& by)
 {
-    box.x -= origin.x();
-    box.y -= origin.y();
+    box.x += by.x();
+    box.y += by.y();
     return box;
+}
+
+TrackReport movedBy(TrackReport report, const Eigen::Vector3d& by)
+{
+    report.box = movedBy(report.box, by);
+    if (report.measuredBox) report.measuredBox = movedBy(*report.measuredBox, by);
+    report.z += by.z();
+    return report;
 }
 }  // namespace
 
@@ -45,9 +54,9 @@ public:
             throw std::invalid_argument("frames must come in order of time");
         SegmentedFrame segmented = segment(frame);
         enter(Stage::Prediction);
-        predictTracks(frame.time);
+        predictTracks(frame);
         enter(Stage::Association);
-        const std::vector<PredictedTarget> predicted = targets(frame.origin);
+        const std::vector<PredictedTarget> predicted = targets();
         segmented = withSharedClustersCut(std::move(segmented), predicted, options_);
         auto assignment = assignClusters(predicted, segmented.hits, options_.association);
         enter(Stage::Measurement);
@@ -77,8 +86,7 @@ private:
     {
         SegmentedFrame s;
         s.time = frame.time;
-        s.origin = frame.origin;
-        s.sensor = frame.sensor;
+        s.sensor = (frame.sensor - frame.origin).head<2>();
         s.points = frame.points.size();
         s.planar = frame.planar;
         enter(Stage::Ground);
@@ -94,23 +102,30 @@ private:
         return s;
     }
 
-    void predictTracks(double time)
+    // Also to where the frame's numbers begin, at the vehicle: so all that is kept has small
+    // numbers, which are the same however far from the world's origin it drives.
+    void predictTracks(const LadarFrame& frame)
     {
-        const double dt = time_ ? time - *time_ : 0.0;
-        time_ = time;
-        workers_.forEach(
-            tracks_.size(), [&](std::size_t j, std::size_t worker)
-            { tracks_[j] = predictedTrack(tracks_[j], dt, filters_[worker], options_.motion); });
+        const double dt = time_ ? frame.time - *time_ : 0.0;
+        const Eigen::Vector3d moved = origin_ - frame.origin;
+        time_ = frame.time;
+        origin_ = frame.origin;
+        workers_.forEach(tracks_.size(),
+                         [&](std::size_t j, std::size_t worker)
+                         {
+                             tracks_[j] = predictedTrack(movedBy(std::move(tracks_[j]), moved), dt,
+                                                         filters_[worker], options_.motion);
+                         });
     }
 
-    std::vector<PredictedTarget> targets(const Eigen::Vector3d& origin) const
+    std::vector<PredictedTarget> targets() const
     {
         std::vector<PredictedTarget> all;
         all.reserve(tracks_.size());
         for (const Track& track : tracks_)
         {
-            all.push_back({relativeTo(track.box(), origin), positionSigma(track),
-                           track.lengthSigma(), track.widthSigma(), track.velocity()});
+            all.push_back({track.box(), positionSigma(track), track.lengthSigma(),
+                           track.widthSigma(), track.velocity()});
         }
         return all;
     }
@@ -128,28 +143,30 @@ private:
         return sightings;
     }
 
-    // From the predicted pose; where that is vague, or explains the hits much worse than before,
-    // also from where the hits are. The better response wins.
+    // From the predicted pose.
     Sighting measure(const Track& track, const SegmentedFrame& frame,
                      const std::vector<std::size_t>& clusters) const
     {
-        constexpr double kVague = 0.3;      // m
-        constexpr double kPoorMatch = 0.6;  // of the last one
-        const HitsAtOneTime seen = hitsAtOneTime(frame, clusters, motionOf(track.state, frame),
-                                                 options_.measurement.mergeCell);
-        const OrientedBox start =
-            relativeTo(stateAt(track.state, seen.lag, options_.motion).box(), frame.origin);
-        const auto from = [&](const OrientedBox& box)
-        {
-            return sightingOf(frame, clusters, seen, box,
-                              Eigen::Vector2d(start.length, start.width),
-                              typeFilters_.optionsFor(track));
-        };
-        Sighting best = from(start);
-        if (positionSigma(track) < kVague && best.measurement.match > kPoorMatch * track.lastMatch)
-            return best;
-        Sighting other = from(movedOntoHits(start, seen.hits, frame.sensorInFrame()));
-        return other.measurement.match > best.measurement.match ? other : best;
+        const HitsAtOneTime seen =
+            hitsAtOneTime(frame, clusters, motionOf(track.state), options_.measurement.mergeCell);
+        const OrientedBox start = stateAt(track.state, seen.lag, options_.motion).box();
+        return sightingOf(frame, clusters, seen, start, Eigen::Vector2d(start.length, start.width),
+                          typeFilters_.optionsFor(track), effortFor(track));
+    }
+
+    // Where the predicted pose is vague, or explains the hits much worse than before, also from
+    // where the hits are. What is hardly a vehicle is followed with less effort.
+    SearchEffort effortFor(const Track& track) const
+    {
+        constexpr double kVague = 0.3;           // m
+        constexpr double kPoorMatch = 0.6;       // of the last one
+        constexpr std::uint64_t kLookAgain = 8;  // sightings, for what was ruled out by mistake
+        const bool isTurn =
+            (track.id + static_cast<std::uint64_t>(track.sightings)) % kLookAgain == 0;
+        if (!isTurn && discriminator_.rulesOut(track)) return {0.0, true};
+        const bool isVague = positionSigma(track) >= kVague;
+        return {isVague ? std::numeric_limits<double>::infinity() : kPoorMatch * track.lastMatch,
+                false};
     }
 
     static double positionSigma(const Track& track)
@@ -159,17 +176,18 @@ private:
 
     void updateTracks(double time, const std::vector<std::optional<Sighting>>& sightings)
     {
-        workers_.forEach(tracks_.size(),
-                         [&](std::size_t j, std::size_t worker)
-                         {
-                             Track& track = tracks_[j];
-                             if (sightings[j])
-                                 track = typeFilters_.judged(
-                                     sightedTrack(track, *sightings[j], filters_[worker], options_),
-                                     *sightings[j]);
-                             else
-                                 miss(track, time);
-                         });
+        workers_.forEach(
+            tracks_.size(),
+            [&](std::size_t j, std::size_t worker)
+            {
+                Track& track = tracks_[j];
+                if (sightings[j])
+                    track = typeFilters_.judged(
+                        sightedTrack(std::move(track), *sightings[j], filters_[worker], options_),
+                        *sightings[j]);
+                else
+                    miss(track, time);
+            });
     }
 
     void miss(Track& track, double time) const
@@ -191,7 +209,7 @@ private:
         for (const auto& taken : assignment)
             for (const std::size_t i : taken) claimed[i] = true;
         const StartSpeed speed{0.0, options_.lifecycle.startSpeedSigma};
-        for (const Sighting& s : newSightings(frame, claimed, options_))
+        for (const Sighting& s : newSightings(frame, claimed, options_, workers_))
         {
             tracks_.push_back(typeFilters_.judged(startedTrack(nextId_++, s, speed, options_), s));
             assignment.push_back(s.clusters);
@@ -211,6 +229,7 @@ private:
     void removeDuplicates()
     {
         std::vector<PlaneBounds> bounds;
+        bounds.reserve(tracks_.size());
         for (const Track& track : tracks_)
             bounds.push_back(PlaneBounds::around(track.box().centre(),
                                                  std::max(track.box().length, track.box().width)));
@@ -244,9 +263,11 @@ private:
         result.points = frame.points.size();
         result.pointsAboveGround = segmented.pointsAboveGround;
         result.clusters = segmented.clusters.size();
+        result.tracks.reserve(tracks_.size());
         for (const Track& track : tracks_)
             result.tracks.push_back(
-                discriminator_.withProbability(reportOf(track, options_.visibility), track));
+                movedBy(discriminator_.withProbability(reportOf(track, options_.visibility), track),
+                        frame.origin));
         return result;
     }
 
@@ -265,6 +286,7 @@ private:
     std::vector<Track> tracks_;  // by rising id
     std::uint64_t nextId_ = 1;
     std::optional<double> time_;
+    Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();  // of the last frame
 };
 
 Tracker::Tracker(const TrackerOptions& options)

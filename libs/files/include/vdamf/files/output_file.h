@@ -24,7 +24,7 @@ struct NamedInput
 };
 
 /// Throws std::runtime_error where an output, or the `.partial` that it is written to, is an input
-/// or another output.
+/// or another output. Several may go to a device like /dev/null.
 void checkOutputPaths(const std::vector<std::filesystem::path>& outputs,
                       const std::vector<NamedInput>& inputs);
 

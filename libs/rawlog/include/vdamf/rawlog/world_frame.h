@@ -7,8 +7,8 @@
 
 namespace vdamf
 {
-/// A scan in world axes, relative to an origin at the vehicle (whole metres). `pose` is the
-/// vehicle's at the scan's time; all hits are taken as seen then.
+/// A scan in world axes, relative to an origin at the vehicle. `pose` is the vehicle's
+/// at the scan's time; all hits are taken as seen then.
 LadarFrame toLadarFrame(const Scan& scan, const VehiclePose& pose);
 
 /// A frame whose hits were moved by where the vehicle was when each was seen.

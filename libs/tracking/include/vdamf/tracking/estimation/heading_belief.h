@@ -9,24 +9,30 @@
 #include <array>
 #include <optional>
 
+#include "vdamf/tracking/estimation/vehicle_sizes.h"
+
 namespace vdamf
 {
 /// What one frame tells of the front.
 struct HeadingCues
 {
     double dt = 0.1;  ///< s since the frame before
-    /// Straight motion over the last second, where it is clear: direction from the heading that is
-    /// held, counter-clockwise (rad), and speed (m/s).
+    /// Straight motion of late, where it is clear: direction from the heading that is held,
+    /// counter-clockwise (rad), and speed (m/s).
     struct Course
     {
         double direction = 0.0;
         double speed = 0.0;
     };
     std::optional<Course> course;
-    std::optional<double> length;  ///< m, where both its ends are seen
-    std::optional<double> width;   ///< m, where both its ends are seen
-    double widestEnd = 2.2;        ///< m, from which on a face is rather a side than an end
+    double forth = 0.5;  ///< probability that it moves forward along the heading, not backward
+    std::optional<FaceExtent> side;  ///< seen, of the box as it is held
+    std::optional<FaceExtent> end;   ///< seen, of the box as it is held
+    double height = 1.5;             ///< of the vehicle, m
 };
+
+/// Log odds that length and width are as they are held rather than exchanged, of one frame.
+double axesEvidence(const HeadingCues& cues);
 
 class HeadingBelief
 {
@@ -49,8 +55,13 @@ public:
     double axesProbability() const;
 
 private:
-    /// Log of the probability that the front lies k quarter turns ahead, but for a constant.
-    std::array<double, 4> log_{0.0, -2.0, 0.0, -2.0};
+    std::array<double, 4> logs() const;
+
+    /// By the way it moves: log of the probability that the front lies k quarter turns ahead, but
+    /// for a constant.
+    std::array<double, 4> course_{};
+    /// By the sizes seen: log odds that length and width are not exchanged.
+    double axes_ = 2.0;
 };
 
 }  // namespace vdamf

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Does it drive or does it stand? Both at once, weighed by how well they foretell.
+// Does it drive, and steadily, or does it stand? All at once, weighed by how well they foretell.
 //
-// A filter that must follow a car pulling away gives parked cars the speed of its noise. Beside the
-// moving vehicle a standing one is tracked, and beside the one that follows its wheels one that
-// moves freely; what is reported is their mean, weighed with their probabilities.
+// A filter that must follow a car that brakes and turns gives parked cars the speed of its noise,
+// and cars that go on steadily more uncertainty than they have. Beside the moving vehicle a steady
+// and a standing one are tracked, and beside those that follow their wheels one that moves freely;
+// what is reported is their mean, weighed with their probabilities.
 #pragma once
 
 #include "vdamf/tracking/estimation/vehicle_kalman_filter.h"
@@ -13,20 +14,30 @@ namespace vdamf
 {
 struct MotionHypotheses
 {
-    VehicleState moving;
-    VehicleState standing;  ///< speed and curvature are zero
+    VehicleState moving;             ///< Steering::VariableAxis
+    VehicleState steady;             ///< Steering::Steady
+    double steadyProbability = 0.5;  ///< among those that follow their wheels
+    VehicleState standing;           ///< speed and curvature are zero
     double standingProbability = 0.5;
     VehicleState free;             ///< Steering::Independent
     double freeProbability = 0.0;  ///< among those that move; 0: not tracked
 
     /// Mean and covariance of the mixture, as a state of the variable axis.
     VehicleState combined(const MotionOptions& options) const;
+
+    /// Replaces the state of each hypothesis by `change` of it.
+    template <class Change>
+    void forEach(Change&& change)
+    {
+        for (VehicleState* state : {&moving, &steady, &standing, &free}) *state = change(*state);
+    }
 };
 
 /// All from one state.
 MotionHypotheses hypothesesFrom(const VehicleState& state, const MotionOptions& options);
 
-/// All `dt` seconds later.
+/// All `dt` seconds later. What moves steadily may begin to manoeuvre, and the other way round:
+/// the two are mixed as in an interacting multiple model filter.
 MotionHypotheses predicted(const MotionHypotheses& hypotheses, double dt,
                            VehicleKalmanFilter& filter, const MotionOptions& options);
 

@@ -54,6 +54,9 @@ private:
     MotionOptions options_;
 };
 
+/// Options of Steering::Steady: as for Steering::VariableAxis, with weaker changes.
+MotionOptions steadyOptions(MotionOptions options);
+
 /// The model that a state's rows are meant for.
 std::unique_ptr<MotionModel> modelOf(Steering steering, const MotionOptions& options);
 

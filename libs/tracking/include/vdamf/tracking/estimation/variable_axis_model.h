@@ -15,9 +15,10 @@ namespace vdamf
 {
 struct MotionOptions
 {
-    double accelerationSigma = 1.5;           ///< m/s^2, held for 0.1 s
-    double maxCurvatureRate = 0.25;           ///< 1/(m s)
-    double lateralJerk = 8.0;                 ///< m/s^3
+    double accelerationSigma = 1.5;  ///< m/s^2, held for 0.1 s
+    double maxCurvatureRate = 0.25;  ///< 1/(m s)
+    double lateralJerk = 8.0;        ///< m/s^3
+    double steadyShare = 0.1;
     double slipSigma = 0.02;                  ///< m/sqrt(s)
     double headingSigma = 0.2 * kPi / 180.0;  ///< rad/sqrt(s)
     double axisSigma = 0.03;                  ///< m/sqrt(s)
@@ -40,6 +41,8 @@ struct MotionOptions
               "steering at low speed, 1/(m s)");
         field(self.lateralJerk, "lateral_jerk_mps3", 0.01, 50.0,
               "steering at high speed: the curvature rate is this over speed^2");
+        field(self.steadyShare, "steady_share", 0.001, 1.0,
+              "what is left of acceleration and steering while a vehicle goes on steadily");
         field(self.slipSigma, "slip_sigma", 0.0, 1.0, "side slip and model error, m / sqrt(s)");
         field(self.headingSigma, "heading_sigma_deg", 0.0, 30.0,
               "model error of the heading, deg / sqrt(s)");

@@ -15,6 +15,7 @@ using StateMatrix = Eigen::Matrix<double, 7, 7>;
 enum class Steering
 {
     VariableAxis,  ///< speed, curvature, axis offset: the vehicle follows its steered wheels
+    Steady,        ///< the same rows: it hardly changes speed and curvature
     Independent    ///< velocity by x and by y, yaw rate: moves and turns as it likes
 };
 
@@ -47,7 +48,7 @@ struct VehicleState
 
     Steering steering = Steering::VariableAxis;
 
-    /// Of Steering::VariableAxis, rad/s.
+    /// Of what follows its wheels, rad/s.
     double yawRate() const { return mean(kSpeed) * mean(kCurvature); }
 
     Eigen::Vector2d size() const { return {mean(kLength), width}; }

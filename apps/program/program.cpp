@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "program.h"
+
+#include <signal.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <exception>
+#include <stdexcept>
+#include <system_error>
+
+#include "vdamf/files/numbers.h"
+
+namespace vdamf
+{
+namespace
+{
+std::atomic<bool> interrupted{false};
+
+void onSignal(int /*signal*/)
+{
+    interrupted = true;
+}
+
+int saidWhy(const Program& program, const std::exception& error, int exitCode)
+{
+    const char* const wipeProgress = isTerminal() ? "\r\033[K" : "";
+    std::fprintf(stderr, "%s%s: %s\n", wipeProgress, program.name.c_str(), error.what());
+    return exitCode;
+}
+
+void declareCommon(CLI::App& app, const Program& program)
+{
+    app.set_version_flag("--version", program.name + " " + VDAMF_VERSION);
+    app.footer(program.footer);
+    app.failure_message(
+        [name = program.name](const CLI::App*, const CLI::Error& error)
+        { return name + ": " + error.what() + "\nRun with --help for more information.\n"; });
+}
+}  // namespace
+
+int runProgram(int argc, const char* const* argv, const Program& program)
+{
+    CLI::App app(program.purpose, program.name);
+    try
+    {
+        declareCommon(app, program);
+        program.declare(app);
+        app.parse(argc, argv);
+        if (program.prepare) program.prepare();
+    }
+    catch (const CLI::ParseError& error)
+    {
+        return app.exit(error) == 0 ? kDone : kBadUse;
+    }
+    catch (const std::exception& error)
+    {
+        return saidWhy(program, error, kBadUse);
+    }
+    try
+    {
+        return program.work();
+    }
+    catch (const std::exception& error)
+    {
+        return saidWhy(program, error, kFailed);
+    }
+}
+
+const std::atomic<bool>& catchSignals()
+{
+    struct sigaction action = {};
+    action.sa_handler = onSignal;
+    for (const int signal : {SIGINT, SIGTERM}) sigaction(signal, &action, nullptr);
+    return interrupted;
+}
+
+bool isInterrupted()
+{
+    return interrupted;
+}
+
+CLI::Validator within(double min, double max)
+{
+    const std::string range = toText(min) + " to " + toText(max);
+    return {[=](std::string& text)
+            {
+                const auto value = parseNumber(text);
+                const bool isInside = value && *value >= min && *value <= max;
+                return isInside ? std::string() : "'" + text + "': expected " + range;
+            },
+            "FLOAT in [" + range + "]"};
+}
+
+void checkPrinted(std::FILE* stream)
+{
+    errno = 0;
+    if (std::fflush(stream) == 0 && std::ferror(stream) == 0) return;
+    throw std::runtime_error("cannot write to the standard output: " +
+                             std::system_category().message(errno != 0 ? errno : EIO));
+}
+
+bool isTerminal()
+{
+    return isatty(STDERR_FILENO) != 0;
+}
+
+}  // namespace vdamf
