@@ -32,6 +32,7 @@ TrackReport randomReport(std::mt19937_64& random, std::uint64_t id)
     report.covariance.bottomLeftCorner<1, 3>().setZero();
     report.lengthVariance = 0.25 + 0.1 * any(random);
     report.widthVariance = 0.04;
+    if (id % 3 == 0) report.type = TypeProbability{VehicleType::Van, 0.625};
     return report;
 }
 
@@ -57,6 +58,8 @@ void expectSame(const TrackReport& a, const TrackReport& b)
     EXPECT_LT((a.covariance - b.covariance).cwiseAbs().maxCoeff(), 1e-9);
     EXPECT_NEAR(a.lengthVariance, b.lengthVariance, 1e-7);
     EXPECT_NEAR(a.widthVariance, b.widthVariance, 1e-7);
+    EXPECT_EQ(a.type.has_value(), b.type.has_value());
+    EXPECT_EQ(a.type.value_or(TypeProbability()).type, b.type.value_or(TypeProbability()).type);
 }
 
 TEST_F(TablesTest, HeadersAreTheContract)
@@ -174,6 +177,9 @@ TEST_F(TablesTest, NumbersFollowTheColumns)
     EXPECT_EQ(of("cov_y_heading"), report.covariance(1, 2));
     EXPECT_EQ(of("var_width_m2"), report.widthVariance);
     EXPECT_EQ(of("forward_probability"), report.forwardProbability);
+    report.type = TypeProbability{VehicleType::Truck, 0.75};
+    EXPECT_EQ(toNumbers(0.0, report)[28], static_cast<double>(VehicleType::Truck));
+    EXPECT_EQ(toNumbers(0.0, report)[29], 0.75);
     report.vehicleProbability = 0.49;
     EXPECT_EQ(toNumbers(0.0, report)[4], 0.0);
     report.vehicleProbability = 0.5;

@@ -28,6 +28,7 @@ TrackReport exampleTrack()
     track.match = 0.625;
     track.nis = 2.5;
     track.facesSeen.bits = 6;
+    track.type = TypeProbability{VehicleType::Van, 0.8125};
     track.covariance(0, 0) = 0.25;
     track.covariance(0, 1) = track.covariance(1, 0) = 0.125;
     track.covariance(2, 2) = 0.01;

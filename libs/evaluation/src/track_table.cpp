@@ -23,7 +23,8 @@ enum class Form
     Decimals6,
     Significant8,
     Status,
-    Faces
+    Faces,
+    Type
 };
 
 struct Column
@@ -32,11 +33,13 @@ struct Column
     Form form;
 };
 
-// Tables of other programs may lack it.
+// Tables of other programs may lack them.
 constexpr const char* kForward = "forward_probability";
+constexpr const char* kType = "vehicle_type";
+constexpr const char* kTypeProbability = "type_probability";
 
 // Order of toNumbers().
-constexpr std::array<Column, 28> kColumns = {{{"time_s", Form::Decimals6},
+constexpr std::array<Column, 30> kColumns = {{{"time_s", Form::Decimals6},
                                               {"track_id", Form::Whole},
                                               {"status", Form::Status},
                                               {"vehicle_probability", Form::Decimals6},
@@ -63,7 +66,9 @@ constexpr std::array<Column, 28> kColumns = {{{"time_s", Form::Decimals6},
                                               {"var_speed", Form::Significant8},
                                               {"var_length_m2", Form::Significant8},
                                               {"var_width_m2", Form::Significant8},
-                                              {kForward, Form::Decimals6}}};
+                                              {kForward, Form::Decimals6},
+                                              {kType, Form::Type},
+                                              {kTypeProbability, Form::Decimals6}}};
 
 std::string significant(double value)
 {
@@ -90,6 +95,8 @@ std::string cellOf(double value, Form form)
             return toString(static_cast<TrackStatus>(static_cast<int>(value)));
         case Form::Faces:
             return toString(FaceSet{static_cast<std::uint8_t>(value)});
+        case Form::Type:
+            return toString(static_cast<VehicleType>(static_cast<int>(value)));
     }
     return "";
 }
@@ -138,6 +145,21 @@ Eigen::Matrix4d covarianceOf(const CsvReader& reader)
     return upper.selfadjointView<Eigen::Upper>();
 }
 
+std::optional<TypeProbability> typeOf(const CsvReader& reader)
+{
+    if (!reader.hasColumn(kType) || reader.text(kType).empty()) return std::nullopt;
+    const std::optional<VehicleType> type = vehicleTypeFromString(reader.text(kType));
+    if (!type)
+        reader.fail(kType, "unknown type '" + reader.text(kType) +
+                               "'; expected car, van, truck, two_wheeler or any");
+    const double probability = reader.hasColumn(kTypeProbability)
+                                   ? reader.optionalNumber(kTypeProbability).value_or(1.0)
+                                   : 1.0;
+    if (!(probability >= 0.0 && probability <= 1.0))
+        reader.fail(kTypeProbability, "expected a number from 0 to 1");
+    return TypeProbability{*type, probability};
+}
+
 TrackReport reportOf(const CsvReader& reader)
 {
     TrackReport report;
@@ -173,13 +195,15 @@ TrackReport reportOf(const CsvReader& reader)
         report.forwardProbability = *forward;
     if (!(report.forwardProbability >= 0.0 && report.forwardProbability <= 1.0))
         reader.fail(kForward, "expected a number from 0 to 1");
+    report.type = typeOf(reader);
     return report;
 }
 
 std::vector<std::string> requiredColumns()
 {
     std::vector<std::string> names = trackColumns();
-    names.erase(std::find(names.begin(), names.end(), kForward));
+    for (const char* optional : {kForward, kType, kTypeProbability})
+        names.erase(std::find(names.begin(), names.end(), optional));
     return names;
 }
 }  // namespace
@@ -236,7 +260,9 @@ std::vector<double> toNumbers(double time, const TrackReport& report)
             p(3, 3),
             report.lengthVariance,
             report.widthVariance,
-            report.forwardProbability};
+            report.forwardProbability,
+            report.type ? static_cast<double>(report.type->type) : kNothing,
+            report.type ? report.type->probability : kNothing};
 }
 
 std::string toCsv(const FrameResult& frame)

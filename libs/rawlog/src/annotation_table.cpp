@@ -83,6 +83,14 @@ Eigen::Matrix4d covarianceOf(const Row& row)
     return upper.selfadjointView<Eigen::Upper>();
 }
 
+std::optional<TypeProbability> typeOf(const Row& row)
+{
+    if (!row.optional("vehicle_type")) return std::nullopt;
+    const auto last = static_cast<int>(VehicleType::TwoWheeler);
+    return TypeProbability{static_cast<VehicleType>(wholeNumber(row, "vehicle_type", last)),
+                           row.optional("type_probability").value_or(1.0)};
+}
+
 TrackReport reportOf(const Row& row)
 {
     constexpr int kAllFaces = 15;
@@ -95,6 +103,7 @@ TrackReport reportOf(const Row& row)
     if (const std::optional<double> vehicle = row.optional("is_vehicle"))
         report.isVehicle = *vehicle > 0.5;
     report.forwardProbability = row.optional("forward_probability").value_or(0.5);
+    report.type = typeOf(row);
     report.box = {row.required("x_m"), row.required("y_m"), row.required("heading_rad"),
                   row.required("length_m"), row.required("width_m")};
     report.z = row.orZero("z_m");

@@ -11,6 +11,9 @@ namespace
 {
 // The highest hit lies below the roof, by the gap between a sensor's beams.
 constexpr double kHeightGap = 0.3;  // m
+// What an end or a side behind something else may hide.
+constexpr double kHiddenLength = 4.0;  // m
+constexpr double kHiddenWidth = 1.0;   // m
 // Outliers of one size count no more than this.
 constexpr double kLeast = -12.0;
 
@@ -22,10 +25,13 @@ double logNormal(double difference, double variance)
 double logLikelihood(const Measurement& m, double height, const TypeSizes& sizes)
 {
     const auto squared = [](double v) { return v * v; };
-    double sum = logNormal(m.box.length - sizes.length,
-                           squared(sizes.lengthSigma) + std::max(0.0, m.covariance(3, 3))) +
-                 logNormal(m.box.width - sizes.width,
-                           squared(sizes.widthSigma) + std::max(0.0, m.covariance(4, 4)));
+    const double lengthHidden = m.hiddenEnds.seesEnd() ? kHiddenLength : 0.0;
+    const double widthHidden = m.hiddenEnds.seesSide() ? kHiddenWidth : 0.0;
+    double sum =
+        logNormal(m.box.length - sizes.length, squared(sizes.lengthSigma) + squared(lengthHidden) +
+                                                   std::max(0.0, m.covariance(3, 3))) +
+        logNormal(m.box.width - sizes.width, squared(sizes.widthSigma) + squared(widthHidden) +
+                                                 std::max(0.0, m.covariance(4, 4)));
     if (height > 0.0)
         sum += logNormal(height + 0.5 * kHeightGap - sizes.height,
                          squared(sizes.heightSigma) + squared(kHeightGap));

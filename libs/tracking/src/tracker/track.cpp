@@ -147,6 +147,7 @@ TrackReport reportOf(const Track& track, const VisibilityOptions& options,
     report.speed = track.state.mean(kSpeed);
     report.yawRate = track.state.yawRate();
     report.forwardProbability = track.front.forwardProbability();
+    report.type = track.type;
     report.covariance = track.state.covariance.topLeftCorner<4, 4>();
     const Eigen::Vector2d left = rotation(track.state.mean(kHeading)).col(1);
     report.covariance.topLeftCorner<2, 2>() +=

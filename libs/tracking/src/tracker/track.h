@@ -43,8 +43,10 @@ struct Track
     double lastMatch = 0.0;  ///< response per hit of the last sighting, 1/m
     HeadingBelief front;
     SizesTold told;
-    std::vector<PathPoint> path;  ///< sightings of the last seconds
-    VehicleEvidence evidence;     ///< of the discriminator
+    std::vector<PathPoint> path;       ///< sightings of the last seconds
+    VehicleEvidence evidence;          ///< of the discriminator
+    std::vector<double> typeEvidence;  ///< by filter of the bank, log-likelihoods
+    std::optional<TypeProbability> type;
     // Of the current frame:
     std::optional<Measurement> measurement;
     std::optional<double> nis;

@@ -12,6 +12,7 @@
 #include "tracker/one_time.h"
 #include "tracker/shared_cut.h"
 #include "tracker/track.h"
+#include "tracker/type_filters.h"
 #include "tracker/worker_pool.h"
 #include "vdamf/tracking/preprocessing/range_profile.h"
 
@@ -23,7 +24,8 @@ public:
     explicit Impl(const TrackerOptions& options)
         : options_(options),
           workers_(options.execution.threads),
-          discriminator_(options.discriminator)
+          discriminator_(options.discriminator),
+          typeFilters_(options.measurement)
     {
         for (std::size_t k = 0; k < workers_.size(); ++k) filters_.emplace_back(options.motion);
     }
@@ -131,7 +133,7 @@ private:
             hitsAtOneTime(frame, clusters, motionOf(track.state), options_.measurement.mergeCell);
         const OrientedBox start = stateAt(track.state, seen.lag, options_.motion).box();
         return sightingOf(frame, clusters, seen, start, Eigen::Vector2d(start.length, start.width),
-                          options_.measurement, effortFor(track));
+                          typeFilters_.optionsFor(track), effortFor(track));
     }
 
     // Where the predicted pose is vague, or explains the hits much worse than before, also from
@@ -151,16 +153,18 @@ private:
 
     void updateTracks(double time, const std::vector<std::optional<Sighting>>& sightings)
     {
-        workers_.forEach(tracks_.size(),
-                         [&](std::size_t j, std::size_t worker)
-                         {
-                             Track& track = tracks_[j];
-                             if (sightings[j])
-                                 track = sightedTrack(std::move(track), *sightings[j],
-                                                      filters_[worker], options_);
-                             else
-                                 miss(track, time);
-                         });
+        workers_.forEach(
+            tracks_.size(),
+            [&](std::size_t j, std::size_t worker)
+            {
+                Track& track = tracks_[j];
+                if (sightings[j])
+                    track = typeFilters_.judged(
+                        sightedTrack(std::move(track), *sightings[j], filters_[worker], options_),
+                        *sightings[j]);
+                else
+                    miss(track, time);
+            });
     }
 
     void miss(Track& track, double time) const
@@ -184,7 +188,7 @@ private:
         const StartSpeed speed{0.0, options_.lifecycle.startSpeedSigma};
         for (const Sighting& s : newSightings(frame, claimed, options_, workers_))
         {
-            tracks_.push_back(startedTrack(nextId_++, s, speed, options_));
+            tracks_.push_back(typeFilters_.judged(startedTrack(nextId_++, s, speed, options_), s));
             assignment.push_back(s.clusters);
         }
         return assignment;
@@ -254,6 +258,7 @@ private:
     WorkerPool workers_;
     std::vector<VehicleKalmanFilter> filters_;  // of each worker
     Discriminator discriminator_;
+    TypeFilters typeFilters_;
     std::vector<Track> tracks_;  // by rising id
     std::uint64_t nextId_ = 1;
     std::optional<double> time_;

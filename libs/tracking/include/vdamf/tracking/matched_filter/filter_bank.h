@@ -3,35 +3,13 @@
 #pragma once
 
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "vdamf/tracking/matched_filter/filter_parameters.h"
+#include "vdamf/tracking/types/vehicle_type.h"
 
 namespace vdamf
 {
-enum class VehicleType
-{
-    Any,  ///< one filter serves all
-    Car,
-    Van,
-    Truck,  ///< and buses
-    TwoWheeler
-};
-
-template <>
-struct EnumNames<VehicleType>
-{
-    static std::vector<std::pair<VehicleType, const char*>> names()
-    {
-        return {{VehicleType::Any, "any"},
-                {VehicleType::Car, "car"},
-                {VehicleType::Van, "van"},
-                {VehicleType::Truck, "truck"},
-                {VehicleType::TwoWheeler, "two_wheeler"}};
-    }
-};
-
 /// Sizes that are usual of a type: means and standard deviations, m.
 struct TypeSizes
 {

@@ -11,6 +11,7 @@
 
 #include "vdamf/tracking/types/faces.h"
 #include "vdamf/tracking/types/geometry.h"
+#include "vdamf/tracking/types/vehicle_type.h"
 
 namespace vdamf
 {
@@ -53,6 +54,8 @@ struct TrackReport
     double widthVariance = 0.0;   ///< m^2
     /// The box measured in this frame, before filtering.
     std::optional<OrientedBox> measuredBox;
+    /// Where filters of several types measure: the most likely one.
+    std::optional<TypeProbability> type;
     /// What the discriminator saw in this frame, where DiscriminatorOptions::keepFeatures asks for
     /// it; else empty.
     std::vector<float> features;
