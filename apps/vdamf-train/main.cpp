@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "classifier.h"
+#include "filter_command.h"
 #include "pictures.h"
 #include "vdamf/files/output_file.h"
 
@@ -33,6 +34,8 @@ struct CommandLine
     std::filesystem::path config;
     std::vector<std::string> set;
     vdamf::ClassifierJob job;
+    vdamf::FilterCommandLine filter;
+    bool isFilter = false;
 };
 
 void declareClassifier(CLI::App& app, CommandLine& line)
@@ -80,11 +83,19 @@ void declare(CLI::App& app, CommandLine& line)
                    "\nRun with --help for more information.\n";
         });
     declareClassifier(*app.add_subcommand("classifier", "trains the vehicle discriminator"), line);
+    CLI::App* filter = app.add_subcommand("filter", "learns filters from labelled clusters");
+    vdamf::declareFilter(*filter, line.filter);
+    filter->callback([&line] { line.isFilter = true; });
     app.footer("Example:\n  vdamf-train classifier recordings.ini -o vehicle.txt --plots plots");
 }
 
 void prepare(CommandLine& line)
 {
+    if (line.isFilter)
+    {
+        line.filter.job = vdamf::prepared(line.filter);
+        return;
+    }
     vdamf::IniDocument document = vdamf::IniDocument::load(line.recordings);
     for (const std::string& assignment : line.set) document.set(assignment);
     line.job.recordings = vdamf::readRecordings(document);
@@ -128,7 +139,10 @@ int mainOf(int argc, char** argv)
     }
     std::signal(SIGINT, onSignal);
     std::signal(SIGTERM, onSignal);
-    vdamf::trainClassifier(line.job, interrupted);
+    if (line.isFilter)
+        vdamf::trainFilter(line.filter.job, interrupted);
+    else
+        vdamf::trainClassifier(line.job, interrupted);
     return kDone;
 }
 }  // namespace

@@ -22,7 +22,7 @@ std::string casesHeader()
 }
 
 std::string caseLine(const std::string& condition, const std::string& method, std::size_t index,
-                     const Sample& sample, const CaseErrors& errors)
+                     const LabelledCluster& sample, const CaseErrors& errors)
 {
     const Eigen::Vector2d view = toBoxFrame(sample.truth, sample.sensor);
     std::string line = condition + "," + method + "," + std::to_string(index) + "," +

@@ -4,13 +4,13 @@
 
 #include <string>
 
-#include "measurement/case_errors.h"
+#include "vdamf/learning/clusters/case_errors.h"
 
 namespace vdamf
 {
 std::string casesHeader();  ///< with the line's end
 
 std::string caseLine(const std::string& condition, const std::string& method, std::size_t index,
-                     const Sample& sample, const CaseErrors& errors);
+                     const LabelledCluster& sample, const CaseErrors& errors);
 
 }  // namespace vdamf

@@ -10,7 +10,7 @@ namespace vdamf
 {
 const std::vector<Column>& columns()
 {
-    using S = const Summary&;
+    using S = const CaseSummary&;
     // clang-format off
     static const std::vector<Column> all = {
         {"heading90_median_deg", "hdg", 6, 2, [](S s) { return s.heading90.median; }},

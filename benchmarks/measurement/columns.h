@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "measurement/summary.h"
+#include "vdamf/learning/clusters/case_summary.h"
 
 namespace vdamf
 {
@@ -15,7 +15,7 @@ struct Column
     const char* heading;  ///< in tables for people; empty: in the CSV file only
     int width;            ///< characters in tables for people
     int decimals;
-    double (*value)(const Summary&);
+    double (*value)(const CaseSummary&);
 };
 
 const std::vector<Column>& columns();

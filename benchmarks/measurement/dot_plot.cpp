@@ -35,10 +35,11 @@ struct Axis
     }
 };
 
-std::vector<std::string> distinct(const std::vector<Summary>& rows, std::string Summary::*member)
+std::vector<std::string> distinct(const std::vector<CaseSummary>& rows,
+                                  std::string CaseSummary::*member)
 {
     std::vector<std::string> names;
-    for (const Summary& row : rows)
+    for (const CaseSummary& row : rows)
         if (std::find(names.begin(), names.end(), row.*member) == names.end())
             names.push_back(row.*member);
     return names;
@@ -87,10 +88,10 @@ std::string dot(const Axis& axis, double y, const ErrorFigures& figures, const c
 }
 }  // namespace
 
-std::string dotPlot(const std::vector<Summary>& rows)
+std::string dotPlot(const std::vector<CaseSummary>& rows)
 {
-    const std::vector<std::string> conditions = distinct(rows, &Summary::condition);
-    std::vector<std::string> methods = distinct(rows, &Summary::method);
+    const std::vector<std::string> conditions = distinct(rows, &CaseSummary::condition);
+    std::vector<std::string> methods = distinct(rows, &CaseSummary::method);
     methods.resize(std::min(methods.size(), std::size(kColours)));
     const Axis heading{kLeft, 0.1, 45.0, "heading error, deg", {0.1, 0.3, 1.0, 3.0, 10.0, 45.0}};
     const Axis corner{kLeft + kPanel + kGap,
@@ -118,7 +119,7 @@ std::string dotPlot(const std::vector<Summary>& rows)
         svg += line(12.0, top, width - kGap, top, "#bbb");
         svg += text(kLeft - 12.0, top + 0.5 * kRow + 4.0, "end", conditions[k]);
     }
-    for (const Summary& row : rows)
+    for (const CaseSummary& row : rows)
     {
         const double method = indexIn(methods, row.method);
         if (method >= static_cast<double>(methods.size())) continue;

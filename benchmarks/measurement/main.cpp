@@ -5,15 +5,18 @@
 #include <cstdio>
 #include <filesystem>
 #include <iterator>
+#include <memory>
 #include <stdexcept>
 
 #include "measurement/case_table.h"
 #include "measurement/dot_plot.h"
 #include "measurement/recorded.h"
-#include "measurement/simulated.h"
 #include "measurement/tables.h"
 #include "vdamf/files/ini.h"
 #include "vdamf/files/output_file.h"
+#include "vdamf/files/text_file.h"
+#include "vdamf/learning/clusters/simulated_clusters.h"
+#include "vdamf/rawlog/filter_file.h"
 
 namespace
 {
@@ -28,6 +31,7 @@ struct Cli
     std::vector<std::string> only;
     std::vector<std::string> fits;
     std::vector<std::string> set;
+    std::string filters;
     bool noTiming = false;
 };
 
@@ -44,6 +48,8 @@ void declare(CLI::App& app, Cli& cli)
     app.add_option("--fits", cli.fits, "methods to run, by commas")->delimiter(',');
     app.add_option("--set", cli.set, "measurement.key=value for all our fits (repeatable)")
         ->allow_extra_args(false);
+    app.add_option("--filters", cli.filters,
+                   "file of vdamf-train filter, for the rows learned and bank");
     app.add_flag("--no-timing", cli.noTiming, "leave out the table of times by number of hits");
     app.footer(
         "Example:\n  vdamf_benchmark_measurement --only clean,car --fits "
@@ -76,9 +82,13 @@ std::vector<vdamf::Method> methodsOf(const Cli& cli)
     vdamf::IniReader reader(document);
     reader.read("measurement", options);
     reader.finish();
+    std::shared_ptr<const vdamf::FilterBank> bank;
+    if (!cli.filters.empty())
+        bank = std::make_shared<const vdamf::FilterBank>(
+            vdamf::parseFilterBank(vdamf::readTextFile(cli.filters), cli.filters));
     std::vector<vdamf::Method> methods;
     std::vector<std::string> names;
-    for (vdamf::Method& method : vdamf::allMethods(options))
+    for (vdamf::Method& method : vdamf::allMethods(options, bank))
     {
         names.push_back(method.name);
         if (wanted(cli.fits, method.name)) methods.push_back(std::move(method));
@@ -87,12 +97,12 @@ std::vector<vdamf::Method> methodsOf(const Cli& cli)
     return methods;
 }
 
-std::vector<vdamf::Condition> conditionsOf(const Cli& cli)
+std::vector<vdamf::LabelledClusters> conditionsOf(const Cli& cli)
 {
     std::vector<std::string> names = {"drive_label", "drive_cluster"};
     for (const vdamf::SimulatedKind& kind : vdamf::simulatedKinds()) names.push_back(kind.name);
     requireKnown(cli.only, names, "--only");
-    std::vector<vdamf::Condition> all;
+    std::vector<vdamf::LabelledClusters> all;
     for (const vdamf::SimulatedKind& kind : vdamf::simulatedKinds())
     {
         if (wanted(cli.only, kind.name))
@@ -104,7 +114,8 @@ std::vector<vdamf::Condition> conditionsOf(const Cli& cli)
         std::printf("no real drives: --data names a folder with unpacked KITTI raw drives\n");
         return all;
     }
-    for (vdamf::Condition& condition : vdamf::recordedConditions(cli.data, cli.clusters, cli.seed))
+    for (vdamf::LabelledClusters& condition :
+         vdamf::recordedConditions(cli.data, cli.clusters, cli.seed))
         if (wanted(cli.only, condition.name)) all.push_back(std::move(condition));
     return all;
 }
@@ -112,23 +123,23 @@ std::vector<vdamf::Condition> conditionsOf(const Cli& cli)
 // Results of a run, for the files.
 struct Results
 {
-    std::vector<vdamf::Summary> rows;
+    std::vector<vdamf::CaseSummary> rows;
     std::string cases = vdamf::casesHeader();
 };
 
-vdamf::Summary measured(const vdamf::Condition& condition, const vdamf::Method& method,
-                        Results& results)
+vdamf::CaseSummary measured(const vdamf::LabelledClusters& condition, const vdamf::Method& method,
+                            Results& results)
 {
     std::vector<vdamf::CaseErrors> errors;
     std::vector<double> hits;
-    for (const vdamf::Sample& sample : condition.samples)
+    for (const vdamf::LabelledCluster& sample : condition.samples)
     {
         errors.push_back(vdamf::errorsOf(method.estimate(sample), sample));
         hits.push_back(static_cast<double>(sample.cluster.size()));
         results.cases +=
             vdamf::caseLine(condition.name, method.name, errors.size() - 1, sample, errors.back());
     }
-    vdamf::Summary summary = vdamf::summaryOf(errors);
+    vdamf::CaseSummary summary = vdamf::summaryOf(errors);
     summary.condition = condition.name;
     summary.method = method.name;
     summary.medianHits = vdamf::quantile(hits, 0.5);
@@ -137,15 +148,15 @@ vdamf::Summary measured(const vdamf::Condition& condition, const vdamf::Method& 
 }
 
 // What the picture has room for: the filters and the first two baselines.
-std::vector<vdamf::Summary> pictured(const std::vector<vdamf::Summary>& rows)
+std::vector<vdamf::CaseSummary> pictured(const std::vector<vdamf::CaseSummary>& rows)
 {
-    const auto isLeftOut = [](const vdamf::Summary& row)
+    const auto isLeftOut = [](const vdamf::CaseSummary& row)
     {
         const bool isVariant =
             row.method.rfind("nlopt_", 0) == 0 || row.method.find("+sizes") != std::string::npos;
         return isVariant || row.method == "minimum_area" || row.method == "pca";
     };
-    std::vector<vdamf::Summary> kept;
+    std::vector<vdamf::CaseSummary> kept;
     std::remove_copy_if(rows.begin(), rows.end(), std::back_inserter(kept), isLeftOut);
     return kept;
 }
@@ -164,9 +175,9 @@ int run(const Cli& cli)
     if (!cli.out.empty()) fs::create_directories(cli.out);
     std::printf("%s", vdamf::legend().c_str());
     Results results;
-    for (const vdamf::Condition& condition : conditionsOf(cli))
+    for (const vdamf::LabelledClusters& condition : conditionsOf(cli))
     {
-        std::vector<vdamf::Summary> block;
+        std::vector<vdamf::CaseSummary> block;
         for (const vdamf::Method& method : methods)
             block.push_back(measured(condition, method, results));
         std::printf("%s", vdamf::terminalBlock(condition, block).c_str());

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "measurement/baselines.h"
+#include "vdamf/tracking/matched_filter/type_choice.h"
 
 namespace vdamf
 {
@@ -23,7 +24,7 @@ double heightOf(const Cluster& cluster)
 
 Method fitOf(const std::string& name, const MeasureOptions& options, From from)
 {
-    const auto estimate = [options, from](const Sample& sample)
+    const auto estimate = [options, from](const LabelledCluster& sample)
     {
         const Hits hits = projectHits(sample.cluster, options.mergeCell);
         const OrientedBox start =
@@ -32,10 +33,11 @@ Method fitOf(const std::string& name, const MeasureOptions& options, From from)
                 : sample.start;
         std::optional<Eigen::Vector2d> known;
         if (from == From::StartAndSizes) known.emplace(start.length, start.width);
-        MeasureOptions own = options;
-        if (own.rangeNoise > 0.0) own.rangeNoise = sample.rangeNoise;
-        if (!sample.isBody) own.bodyDepth = 0.0;
-        const Measurement m = measureTarget(hits, sample.sensor, start, own, known);
+        const MeasureOptions own = toldOptions(options, sample);
+        const Measurement m = own.bank ? measureWithBank(hits, heightOf(sample.cluster),
+                                                         sample.sensor, start, own, known)
+                                             .measurement
+                                       : measureTarget(hits, sample.sensor, start, own, known);
         return Estimate{m.box, m};
     };
     return {name, false, estimate};
@@ -44,7 +46,7 @@ Method fitOf(const std::string& name, const MeasureOptions& options, From from)
 template <class Baseline>
 Method baselineOf(const std::string& name, Baseline&& baseline)
 {
-    const auto estimate = [baseline](const Sample& sample)
+    const auto estimate = [baseline](const LabelledCluster& sample)
     {
         const auto n = static_cast<Eigen::Index>(sample.cluster.size());
         PlanePoints points(2, n);
@@ -58,7 +60,8 @@ Method baselineOf(const std::string& name, Baseline&& baseline)
 }
 }  // namespace
 
-std::vector<Method> allMethods(const MeasureOptions& options)
+std::vector<Method> allMethods(const MeasureOptions& options,
+                               const std::shared_ptr<const FilterBank>& bank)
 {
     std::vector<Method> methods;
     const auto add = [&methods](std::string name, const MeasureOptions& own, From from)
@@ -74,6 +77,13 @@ std::vector<Method> allMethods(const MeasureOptions& options)
             MeasureOptions own = options;
             own.filter = filter;
             add(name, own, from);
+        }
+        if (bank)
+        {
+            MeasureOptions learned = withFilter(options, commonFilter(*bank).parameters);
+            add("learned", learned, from);
+            learned.bank = bank;
+            if (bank->filters.size() > 1) add("bank", learned, from);
         }
         if (from == From::StartAndSizes) continue;
         MeasureOptions untold = options;

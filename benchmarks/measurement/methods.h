@@ -3,32 +3,28 @@
 #pragma once
 
 #include <functional>
-#include <optional>
+#include <memory>
 #include <string>
 #include <vector>
 
-#include "measurement/sample.h"
+#include "vdamf/learning/clusters/case_errors.h"
 #include "vdamf/tracking/matched_filter/measure.h"
 
 namespace vdamf
 {
-struct Estimate
-{
-    OrientedBox box;
-    std::optional<Measurement> measurement;  ///< of our fits
-};
-
 struct Method
 {
     std::string name;
     bool isBaseline = false;
-    std::function<Estimate(const Sample&)> estimate;
+    std::function<Estimate(const LabelledCluster&)> estimate;
 };
 
 /// Our fits: every filter, and Table 1 with every other optimizer, to compare with `paper`; each
 /// from the sample's start ("+start") and from startBox() alone. The rows "+sizes" are told the
 /// start's length and width as known sizes, too; "noise_untold" has to estimate the range noise.
-/// Then the baselines.
-std::vector<Method> allMethods(const MeasureOptions& options);
+/// "learned" is the bank's common filter in place of the hand-set parameters and "bank" the one
+/// that it chooses for each cluster; both where there is a bank. Then the baselines.
+std::vector<Method> allMethods(const MeasureOptions& options,
+                               const std::shared_ptr<const FilterBank>& bank = nullptr);
 
 }  // namespace vdamf

@@ -18,10 +18,10 @@ std::string number(double value, int decimals)
     return std::isfinite(value) ? toFixedText(value, decimals) : "-";
 }
 
-const Summary* rowOf(const std::vector<Summary>& rows, const std::string& condition,
-                     const std::string& method)
+const CaseSummary* rowOf(const std::vector<CaseSummary>& rows, const std::string& condition,
+                         const std::string& method)
 {
-    for (const Summary& row : rows)
+    for (const CaseSummary& row : rows)
         if (row.condition == condition && row.method == method) return &row;
     return nullptr;
 }
@@ -31,7 +31,7 @@ std::string centimetres(const ErrorFigures& figures)
     return number(100.0 * figures.median, 1) + " (" + number(100.0 * figures.bias, 1) + ")";
 }
 
-std::string ofTheDefault(const Summary& s)
+std::string ofTheDefault(const CaseSummary& s)
 {
     return " | " + centimetres(s.end) + " | " + centimetres(s.side) + " | " +
            number(100.0 * s.length.median, 0) + " | " + number(100.0 * s.width.median, 0) + " | " +
@@ -41,7 +41,7 @@ std::string ofTheDefault(const Summary& s)
 }
 }  // namespace
 
-std::string overview(const std::vector<Summary>& rows)
+std::string overview(const std::vector<CaseSummary>& rows)
 {
     std::string head = "\n| |";
     std::string line = "|---|";
@@ -58,25 +58,25 @@ std::string overview(const std::vector<Summary>& rows)
     line += "---|---|---|---|---|---|\n";
     std::string table = head + line;
     std::string condition;
-    for (const Summary& row : rows)
+    for (const CaseSummary& row : rows)
     {
         if (row.condition == condition) continue;
         condition = row.condition;
         table += "| " + condition;
         for (const char* method : kCompared)
         {
-            const Summary* s = rowOf(rows, condition, method);
+            const CaseSummary* s = rowOf(rows, condition, method);
             table += " | ";
             if (s != nullptr)
                 table += number(s->heading90.median, 2) + " / " + number(s->heading90.p90, 1);
         }
         for (const char* method : kCompared)
         {
-            const Summary* s = rowOf(rows, condition, method);
+            const CaseSummary* s = rowOf(rows, condition, method);
             table += " | ";
             if (s != nullptr) table += number(100.0 * s->corner.median, 1);
         }
-        const Summary* own = rowOf(rows, condition, kDefault);
+        const CaseSummary* own = rowOf(rows, condition, kDefault);
         table += own != nullptr ? ofTheDefault(*own) : " | | | | | | |\n";
     }
     return table;

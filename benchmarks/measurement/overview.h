@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "measurement/summary.h"
+#include "vdamf/learning/clusters/case_summary.h"
 
 namespace vdamf
 {
 /// One line a condition: heading and near corner of the default and of those to compare with;
 /// faces, sizes and consistency of the default. Empty cells where a method did not run.
-std::string overview(const std::vector<Summary>& rows);
+std::string overview(const std::vector<CaseSummary>& rows);
 
 }  // namespace vdamf

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "vdamf/learning/clusters/label_hits.h"
 #include "vdamf/rawlog/kitti_drive.h"
 #include "vdamf/rawlog/kitti_tracklets.h"
 #include "vdamf/tracking/preprocessing/clustering.h"
@@ -17,7 +18,6 @@ namespace
 namespace fs = std::filesystem;
 
 constexpr std::size_t kLeastHits = 10;  // as in the tracker
-constexpr double kGrown = 0.3;          // m
 constexpr double kRangeNoise = 0.02;    // m, of the HDL-64E
 // Of labels drawn by hand every few frames.
 constexpr double kLabelPlace = 0.06;                 // m
@@ -26,46 +26,9 @@ constexpr double kLabelHeading = 1.0 * kPi / 180.0;  // rad
 // Both samples of one label; their clusters may be too small.
 struct LabelSamples
 {
-    Sample label;
-    Sample cluster;
+    LabelledCluster label;
+    LabelledCluster cluster;
 };
-
-bool isInside(const OrientedBox& box, float x, float y, double grown)
-{
-    const Eigen::Vector2d p = toBoxFrame(box, {x, y});
-    return std::abs(p.x()) < 0.5 * box.length + grown && std::abs(p.y()) < 0.5 * box.width + grown;
-}
-
-Cluster hitsInside(const LadarFrame& frame, const AboveGround& above, const OrientedBox& box)
-{
-    Cluster hits;
-    for (std::size_t k = 0; k < above.index.size(); ++k)
-    {
-        const std::size_t i = above.index[k];
-        if (!isInside(box, frame.points.x[i], frame.points.y[i], kGrown)) continue;
-        hits.x.push_back(frame.points.x[i]);
-        hits.y.push_back(frame.points.y[i]);
-        hits.z.push_back(frame.points.z[i]);
-        hits.height.push_back(above.height[k]);
-    }
-    return hits;
-}
-
-Cluster mostInside(const std::vector<Cluster>& clusters, const OrientedBox& box)
-{
-    Cluster best;
-    std::size_t most = 0;
-    for (const Cluster& cluster : clusters)
-    {
-        std::size_t inside = 0;
-        for (std::size_t i = 0; i < cluster.size(); ++i)
-            if (isInside(box, cluster.x[i], cluster.y[i], 0.0)) ++inside;
-        if (inside <= most) continue;
-        most = inside;
-        best = cluster;
-    }
-    return best;
-}
 
 std::vector<OrientedBox> vehiclesAt(const std::vector<KittiTracklet>& tracklets, std::size_t frame)
 {
@@ -102,24 +65,24 @@ std::vector<LabelSamples> samplesOf(const fs::path& folder)
         {
             LabelSamples both;
             both.label.truth = both.cluster.truth = box;
-            both.label.cluster = hitsInside(frame, above, box);
-            both.cluster.cluster = mostInside(clusters, box);
+            both.label.cluster = hitsInLabel(frame, above, box);
+            both.cluster.cluster = clusterOnLabel(clusters, box);
             all.push_back(std::move(both));
         }
     }
     return all;
 }
 
-void complete(Condition& condition, int count, std::uint64_t seed)
+void complete(LabelledClusters& condition, int count, std::uint64_t seed)
 {
-    std::vector<Sample>& samples = condition.samples;
+    std::vector<LabelledCluster>& samples = condition.samples;
     const std::size_t all = samples.size();
     const std::size_t wanted = std::min(all, static_cast<std::size_t>(count));
     for (std::size_t k = 0; k < wanted; ++k) samples[k] = samples[k * all / wanted];
     samples.resize(wanted);
     for (std::size_t k = 0; k < wanted; ++k)
     {
-        Sample& sample = samples[k];
+        LabelledCluster& sample = samples[k];
         sample.rangeNoise = kRangeNoise;
         sample.truthPlace = kLabelPlace;
         sample.truthHeading = kLabelHeading;
@@ -129,7 +92,8 @@ void complete(Condition& condition, int count, std::uint64_t seed)
 }
 }  // namespace
 
-std::vector<Condition> recordedConditions(const fs::path& folder, int count, std::uint64_t seed)
+std::vector<LabelledClusters> recordedConditions(const fs::path& folder, int count,
+                                                 std::uint64_t seed)
 {
     std::vector<fs::path> drives;
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
@@ -142,7 +106,7 @@ std::vector<Condition> recordedConditions(const fs::path& folder, int count, std
                                  "drives with their tracklets there");
     }
     std::sort(drives.begin(), drives.end());
-    std::vector<Condition> both = {
+    std::vector<LabelledClusters> both = {
         {"drive_label", "real drives, hits in the label's box grown by 0.3 m", {}},
         {"drive_cluster", "real drives, whole cluster of the preprocessing", {}}};
     for (const fs::path& drive : drives)
@@ -153,7 +117,7 @@ std::vector<Condition> recordedConditions(const fs::path& folder, int count, std
             if (one.cluster.cluster.size() >= kLeastHits) both[1].samples.push_back(one.cluster);
         }
     }
-    for (Condition& condition : both) complete(condition, count, seed);
+    for (LabelledClusters& condition : both) complete(condition, count, seed);
     return both;
 }
 

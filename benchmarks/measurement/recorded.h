@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "measurement/sample.h"
+#include "vdamf/learning/clusters/labelled_cluster.h"
 
 namespace vdamf
 {
@@ -13,7 +13,7 @@ namespace vdamf
 /// in the label's box grown by 0.3 m, and "drive_cluster", the cluster of the preprocessing with
 /// most hits in the label's box. Cars, vans and trucks with ten such hits; `count` of each, evenly
 /// taken from all. Throws std::runtime_error that names the folder where there is no such drive.
-std::vector<Condition> recordedConditions(const std::filesystem::path& folder, int count,
-                                          std::uint64_t seed);
+std::vector<LabelledClusters> recordedConditions(const std::filesystem::path& folder, int count,
+                                                 std::uint64_t seed);
 
 }  // namespace vdamf

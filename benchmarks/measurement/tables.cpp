@@ -69,7 +69,7 @@ std::string markdownTiming(const Timing& timing)
     return page;
 }
 
-std::string markdownHead(const Summary& first)
+std::string markdownHead(const CaseSummary& first)
 {
     std::string head = "\n### " + first.condition + " (" + std::to_string(first.cases) +
                        " clusters, median " + number(first.medianHits, 0) + " hits)\n\n| method |";
@@ -84,7 +84,7 @@ std::string markdownHead(const Summary& first)
 }
 }  // namespace
 
-std::string terminalBlock(const Condition& condition, const std::vector<Summary>& rows)
+std::string terminalBlock(const LabelledClusters& condition, const std::vector<CaseSummary>& rows)
 {
     std::string block = "\n" + condition.name + ": " + condition.description;
     if (rows.empty()) return block + "\n";
@@ -93,7 +93,7 @@ std::string terminalBlock(const Condition& condition, const std::vector<Summary>
     for (const Column& column : columns())
         if (*column.heading != '\0') block += rightAligned(column.heading, column.width);
     block += "\n";
-    for (const Summary& row : rows)
+    for (const CaseSummary& row : rows)
     {
         block += padded(row.method);
         for (const Column& column : columns())
@@ -130,12 +130,12 @@ std::string legend()
            "thread on a processor\n";
 }
 
-std::string toCsv(const std::vector<Summary>& rows)
+std::string toCsv(const std::vector<CaseSummary>& rows)
 {
     std::string table = "condition,method,clusters,hits_median";
     for (const Column& column : columns()) table += std::string(",") + column.name;
     table += "\n";
-    for (const Summary& row : rows)
+    for (const CaseSummary& row : rows)
     {
         table += row.condition + "," + row.method + "," + std::to_string(row.cases) + "," +
                  number(row.medianHits, 1);
@@ -177,12 +177,12 @@ std::string timingCsv(const Timing& timing)
     return table;
 }
 
-std::string markdownPage(const std::vector<Summary>& rows, const Timing& timing)
+std::string markdownPage(const std::vector<CaseSummary>& rows, const Timing& timing)
 {
     std::string page = "## Measurement: fits and baselines\n\n```\n" + legend() + "```\n";
     page += overview(rows);
     std::string condition;
-    for (const Summary& row : rows)
+    for (const CaseSummary& row : rows)
     {
         if (row.condition != condition) page += markdownHead(row);
         condition = row.condition;

@@ -33,11 +33,11 @@ std::string processorName()
 }
 
 // The car stands 15 m ahead, turned by 20 to 70 degrees, its rear and right side in view.
-Sample twoFaces(int hits, std::uint64_t seed, std::uint64_t index)
+LabelledCluster twoFaces(int hits, std::uint64_t seed, std::uint64_t index)
 {
     constexpr double kOff = 0.03;  // m
     RandomStream random(seed, index);
-    Sample sample;
+    LabelledCluster sample;
     sample.isBody = false;
     sample.rangeNoise = kOff;
     sample.truth = {15.0, 0.0, -(20.0 + 50.0 * random.uniform()) * kPi / 180.0, 4.5, 1.8};
@@ -61,7 +61,7 @@ Sample twoFaces(int hits, std::uint64_t seed, std::uint64_t index)
 }
 }  // namespace
 
-double microsecondsPerEstimate(const Method& method, const std::vector<Sample>& samples,
+double microsecondsPerEstimate(const Method& method, const std::vector<LabelledCluster>& samples,
                                double batchSeconds)
 {
     if (samples.empty()) return 0.0;
@@ -74,7 +74,7 @@ double microsecondsPerEstimate(const Method& method, const std::vector<Sample>& 
         double estimates = 0.0;
         do
         {
-            for (const Sample& sample : samples) sink += method.estimate(sample).box.x;
+            for (const LabelledCluster& sample : samples) sink += method.estimate(sample).box.x;
             estimates += static_cast<double>(samples.size());
             end = secondsNow();
         } while (end - begin < batchSeconds);
@@ -94,7 +94,7 @@ Timing timed(const std::vector<Method>& methods, const std::vector<int>& hits, s
         TimingRow row{method.name, {}};
         for (const int count : hits)
         {
-            std::vector<Sample> samples;
+            std::vector<LabelledCluster> samples;
             for (std::uint64_t k = 0; k < kSamples; ++k)
                 samples.push_back(twoFaces(count, seed, 2 * k));
             row.microseconds.push_back(microsecondsPerEstimate(method, samples, kBatchSeconds));

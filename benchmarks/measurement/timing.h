@@ -25,7 +25,7 @@ struct Timing
 
 /// Mean time (us) of estimating all samples one after another, the least of three batches of at
 /// least `batchSeconds`.
-double microsecondsPerEstimate(const Method& method, const std::vector<Sample>& samples,
+double microsecondsPerEstimate(const Method& method, const std::vector<LabelledCluster>& samples,
                                double batchSeconds);
 
 /// Two faces of a car with exactly this many hits, 3 cm off; 8 samples a number.

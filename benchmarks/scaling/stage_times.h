@@ -10,7 +10,7 @@
 
 namespace vdamf
 {
-inline constexpr std::size_t kStages = 7;  ///< as many as Stage has
+inline constexpr std::size_t kStages = static_cast<std::size_t>(Stage::Discrimination) + 1;
 
 /// Time on the clock, and processor time of all threads together: on a machine that does other
 /// work as well, only the latter can be compared. Seconds.

@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "measurement/case_errors.h"
-#include "measurement/simulated.h"
-#include "measurement/summary.h"
+#include "vdamf/learning/clusters/case_errors.h"
+#include "vdamf/learning/clusters/case_summary.h"
+#include "vdamf/learning/clusters/simulated_clusters.h"
 
 namespace vdamf
 {
@@ -15,9 +15,9 @@ namespace
 constexpr double kDegree = kPi / 180.0;
 
 // Seen from the origin: back and right.
-Sample exampleSample()
+LabelledCluster exampleSample()
 {
-    Sample sample;
+    LabelledCluster sample;
     sample.truth = {14.0, 3.0, 0.6, 4.4, 1.8};
     sample.inView.add(Face::Back);
     sample.inView.add(Face::Right);
@@ -46,7 +46,7 @@ OrientedBox movedInBox(const OrientedBox& box, double x, double y)
 
 TEST(CaseErrors, TheTrueBoxHasNone)
 {
-    const Sample sample = exampleSample();
+    const LabelledCluster sample = exampleSample();
     const CaseErrors errors = errorsOf(estimateOf(sample.truth), sample);
     EXPECT_NEAR(errors.heading90, 0.0, 1e-9);
     EXPECT_NEAR(errors.corner, 0.0, 1e-9);
@@ -60,7 +60,7 @@ TEST(CaseErrors, TheTrueBoxHasNone)
 
 TEST(CaseErrors, FacesCountOutwardsAndAreNormalisedByTheirOwnVariance)
 {
-    const Sample sample = exampleSample();
+    const LabelledCluster sample = exampleSample();
     // The back 0.3 m too far out, the right side 0.1 m too far in.
     const OrientedBox moved = movedInBox(sample.truth, -0.3, 0.1);
     const CaseErrors errors = errorsOf(estimateOf(moved), sample);
@@ -73,7 +73,7 @@ TEST(CaseErrors, FacesCountOutwardsAndAreNormalisedByTheirOwnVariance)
 
 TEST(CaseErrors, AQuarterTurnIsACrossedBoxNotAHeadingError)
 {
-    const Sample sample = exampleSample();
+    const LabelledCluster sample = exampleSample();
     OrientedBox crossed = sample.truth;
     crossed.heading += 0.5 * kPi + 2.0 * kDegree;
     std::swap(crossed.length, crossed.width);
@@ -87,7 +87,7 @@ TEST(CaseErrors, AQuarterTurnIsACrossedBoxNotAHeadingError)
 
 TEST(CaseErrors, AnUnseenEndDoesNotCountWhereverItIs)
 {
-    const Sample sample = exampleSample();
+    const LabelledCluster sample = exampleSample();
     OrientedBox shorter = movedInBox(sample.truth, -1.0, 0.0);
     shorter.length -= 2.0;
     const CaseErrors errors = errorsOf(estimateOf(shorter), sample);
@@ -98,7 +98,7 @@ TEST(CaseErrors, AnUnseenEndDoesNotCountWhereverItIs)
 
 TEST(CaseErrors, WhatIsNotFiniteHasFailed)
 {
-    const Sample sample = exampleSample();
+    const LabelledCluster sample = exampleSample();
     OrientedBox broken = sample.truth;
     broken.x = std::nan("");
     const CaseErrors errors = errorsOf(estimateOf(broken), sample);
@@ -116,7 +116,7 @@ TEST(SummaryOfCases, HasBiasMedianAndShares)
     cases[1].neesDimension = 3;
     cases[2].nees = 50.0;
     cases[2].neesDimension = 2;
-    const Summary summary = summaryOf(cases);
+    const CaseSummary summary = summaryOf(cases);
     EXPECT_NEAR(summary.end.bias, 0.2, 1e-12);
     EXPECT_NEAR(summary.end.median, 0.2, 1e-12);
     EXPECT_EQ(summary.side.count, 0U);
@@ -132,12 +132,12 @@ TEST(SimulatedConditions, AreWhatTheySay)
 {
     for (const SimulatedKind& kind : simulatedKinds())
     {
-        const Condition once = simulatedCondition(kind, 5, 7);
-        const Condition again = simulatedCondition(kind, 5, 7);
+        const LabelledClusters once = simulatedCondition(kind, 5, 7);
+        const LabelledClusters again = simulatedCondition(kind, 5, 7);
         ASSERT_EQ(once.samples.size(), 5U) << kind.name;
         for (std::size_t i = 0; i < 5; ++i)
         {
-            const Sample& sample = once.samples[i];
+            const LabelledCluster& sample = once.samples[i];
             EXPECT_GE(sample.cluster.size(), 10U) << kind.name;
             EXPECT_EQ(sample.cluster.x, again.samples[i].cluster.x) << kind.name;
             EXPECT_EQ(sample.start.heading, again.samples[i].start.heading) << kind.name;
@@ -149,8 +149,8 @@ TEST(SimulatedConditions, AreWhatTheySay)
 
 TEST(SimulatedConditions, CleanHitsLieOnTheFacesInView)
 {
-    const Condition clean = simulatedCondition(simulatedKinds().front(), 20, 1);
-    for (const Sample& sample : clean.samples)
+    const LabelledClusters clean = simulatedCondition(simulatedKinds().front(), 20, 1);
+    for (const LabelledCluster& sample : clean.samples)
     {
         for (std::size_t i = 0; i < sample.cluster.size(); ++i)
         {

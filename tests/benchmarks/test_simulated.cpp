@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the measurement benchmark tells the fits beside the hits.
-#include "measurement/simulated.h"
+#include "vdamf/learning/clusters/simulated_clusters.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@ namespace vdamf
 {
 namespace
 {
-Condition conditionOf(const std::string& name)
+LabelledClusters conditionOf(const std::string& name)
 {
     for (const SimulatedKind& kind : simulatedKinds())
         if (kind.name == name) return simulatedCondition(kind, 5, 3);
@@ -19,16 +19,16 @@ Condition conditionOf(const std::string& name)
 
 TEST(SimulatedConditions, TellTheSensorsNoiseAndWhatStandsThere)
 {
-    const Condition walls = conditionOf("noise");
+    const LabelledClusters walls = conditionOf("noise");
     ASSERT_EQ(walls.samples.size(), 5U);
-    const Condition cars = conditionOf("car");
+    const LabelledClusters cars = conditionOf("car");
     ASSERT_EQ(cars.samples.size(), 5U);
-    for (const Sample& sample : walls.samples)
+    for (const LabelledCluster& sample : walls.samples)
     {
         EXPECT_EQ(sample.rangeNoise, 0.1);
         EXPECT_FALSE(sample.isBody);
     }
-    for (const Sample& sample : cars.samples)
+    for (const LabelledCluster& sample : cars.samples)
     {
         EXPECT_EQ(sample.rangeNoise, 0.02);
         EXPECT_TRUE(sample.isBody);
@@ -37,7 +37,7 @@ TEST(SimulatedConditions, TellTheSensorsNoiseAndWhatStandsThere)
 
 TEST(Methods, HandTheSensorsNoiseToTheFit)
 {
-    Sample sample = conditionOf("noise").samples.front();
+    LabelledCluster sample = conditionOf("noise").samples.front();
     const std::vector<Method> methods = allMethods(MeasureOptions());
     for (const Method& method : methods)
     {

@@ -65,6 +65,18 @@ TEST(HeadingBelief, WhoDroveForwardMayReverseSlowlyButNotFast)
     EXPECT_EQ(afterFrames(forward, driving(kPi, 9.0), 20).turnDue(kDecisive), 2);
 }
 
+TEST(HeadingBelief, MovingBackwardsTellsTheFrontOfWhatIsNew)
+{
+    HeadingCues backwards;
+    backwards.forth = 0.001;
+    EXPECT_EQ(HeadingBelief().after(backwards).turnDue(2.5), 2);
+    HeadingCues perhaps;
+    perhaps.forth = 0.2;
+    EXPECT_EQ(afterFrames({}, perhaps, 100).turnDue(2.5), 0);
+    const HeadingBelief forward = afterFrames({}, driving(0.0, 3.0), 5);
+    EXPECT_EQ(afterFrames(forward, backwards, 100).turnDue(0.0), 0);
+}
+
 TEST(HeadingBelief, DrivingAcrossTurnsByAQuarter)
 {
     EXPECT_EQ(afterFrames({}, driving(0.5 * kPi, 5.0), 6).turnDue(kDecisive), 1);

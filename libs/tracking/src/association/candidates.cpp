@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "types/wide_lanes.h"
+
 namespace vdamf
 {
 namespace
@@ -39,9 +41,14 @@ std::vector<PlaneBounds> reachOf(const std::vector<PredictedTarget>& targets, do
 
 PlaneBounds boundsOf(const Hits& hits)
 {
-    const auto [minX, maxX] = std::minmax_element(hits.x.begin(), hits.x.end());
-    const auto [minY, maxY] = std::minmax_element(hits.y.begin(), hits.y.end());
-    return {{*minX, *minY}, {*maxX, *maxY}};
+    PlaneBounds bounds{{hits.x.front(), hits.y.front()}, {hits.x.front(), hits.y.front()}};
+    for (std::size_t i = 1; i < hits.size(); ++i)
+    {
+        const Eigen::Vector2d p(hits.x[i], hits.y[i]);
+        bounds.min = bounds.min.cwiseMin(p);
+        bounds.max = bounds.max.cwiseMax(p);
+    }
+    return bounds;
 }
 }  // namespace
 
@@ -64,6 +71,50 @@ TargetSurface TargetSurface::at(double time) const
     TargetSurface then = *this;
     then.centre_ += time * velocity_;
     return then;
+}
+
+double TargetSurface::benefit(const Hits& hits) const
+{
+    double squares = 0.0;
+    inWideLanes([
+        surface = *this, size = hits.size(), px = hits.x.data(), py = hits.y.data(),
+        weight = hits.weight.data(), result = &squares
+    ]() __attribute__((always_inline)) {
+        Doubles sum{};
+        const auto add = [&](std::size_t first, std::size_t count) __attribute__((always_inline))
+        {
+            Doubles square;
+            Doubles w;
+            surface.squares(px + first, py + first, count, square);
+            load(w, weight + first, count);
+            sum += w * square;
+        };
+        inGroupsOf<kLanes<Doubles>>(size, add);
+        *result = sumOf(sum);
+    });
+    return worth_ * hits.totalWeight - 0.5 * squares / variance_;
+}
+
+double TargetSurface::weightBeyond(double squaredDistance, const Hits& hits) const
+{
+    double beyond = 0.0;
+    inWideLanes([
+        surface = *this, limit = squaredDistance * variance_, size = hits.size(),
+        px = hits.x.data(), py = hits.y.data(), weight = hits.weight.data(), result = &beyond
+    ]() __attribute__((always_inline)) {
+        Doubles sum{};
+        const auto add = [&](std::size_t first, std::size_t count) __attribute__((always_inline))
+        {
+            Doubles square;
+            Doubles w;
+            surface.squares(px + first, py + first, count, square);
+            load(w, weight + first, count);
+            sum += square > limit ? w : Doubles{};
+        };
+        inGroupsOf<kLanes<Doubles>>(size, add);
+        *result = sumOf(sum);
+    });
+    return beyond;
 }
 
 double squaredGate(const AssociationOptions& options)
@@ -91,11 +142,8 @@ std::vector<Candidate> CandidateFinder::candidates(const Hits& hits) const
     std::vector<Candidate> found;
     for (const std::size_t j : inReach(hits))
     {
-        const TargetSurface surface = surfaceOf(j, hits);
-        double sum = 0.0;
-        for (std::size_t i = 0; i < hits.size(); ++i)
-            sum += hits.weight[i] * surface.benefit(surface.squaredDistance(hits.x[i], hits.y[i]));
-        if (sum > 0.0) found.push_back({j, sum});
+        const double benefit = surfaceOf(j, hits).benefit(hits);
+        if (benefit > 0.0) found.push_back({j, benefit});
     }
     std::stable_sort(found.begin(), found.end(),
                      [](const Candidate& a, const Candidate& b) { return a.benefit > b.benefit; });

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "association/plane_index.h"
+#include "types/lanes.h"
 #include "vdamf/tracking/association/auction.h"
 
 namespace vdamf
@@ -32,10 +33,32 @@ public:
         return (outX * outX + outY * outY) / variance_;
     }
 
-    /// Log likelihood ratio of a hit there: on this target against on a new object.
-    double benefit(double squaredDistance) const { return worth_ - 0.5 * squaredDistance; }
+    /// Log likelihood ratio of hits: on this target against on a new object.
+    double benefit(const Hits& hits) const;
+
+    /// Weight of the hits whose squared distance is greater than that.
+    double weightBeyond(double squaredDistance, const Hits& hits) const;
 
 private:
+    // Squared distances of some places, m^2.
+    [[gnu::always_inline]] void squares(const double* px, const double* py, std::size_t count,
+                                        Doubles& square) const
+    {
+        Doubles x;
+        Doubles y;
+        load(x, px, count);
+        load(y, py, count);
+        x -= centre_.x();
+        y -= centre_.y();
+        const Doubles along = c_ * x + s_ * y;
+        const Doubles across = c_ * y - s_ * x;
+        const Doubles outX = (along < 0.0 ? -along : along) - half_.x();
+        const Doubles outY = (across < 0.0 ? -across : across) - half_.y();
+        const Doubles farX = outX > 0.0 ? outX : Doubles{};
+        const Doubles farY = outY > 0.0 ? outY : Doubles{};
+        square = farX * farX + farY * farY;
+    }
+
     Eigen::Vector2d centre_;
     Eigen::Vector2d velocity_;
     Eigen::Vector2d half_;

@@ -83,6 +83,8 @@ std::vector<std::size_t> PlaneIndex::overlapping(const PlaneBounds& bounds) cons
 {
     std::vector<std::size_t> found;
     if (items_.empty()) return found;
+    constexpr std::size_t kUsual = 16;
+    found.reserve(kUsual);
     visitCells(bounds,
                [&](std::size_t cell)
                {

@@ -43,18 +43,15 @@ bool overlap(const OrientedBox& a, const OrientedBox& b)
 struct Fit
 {
     std::size_t target;
+    double off;  // weight of the hits that are not on it
     std::vector<double> squares;
-    double off = 0.0;  // weight of the hits that are not on it
 };
 
-Fit fitOf(const Hits& hits, std::size_t target, const TargetSurface& surface)
+Fit fitOf(const Hits& hits, std::size_t target, const TargetSurface& surface, double off)
 {
-    Fit fit{target, std::vector<double>(hits.size()), 0.0};
+    Fit fit{target, off, std::vector<double>(hits.size())};
     for (std::size_t i = 0; i < hits.size(); ++i)
-    {
         fit.squares[i] = surface.squaredDistance(hits.x[i], hits.y[i]);
-        fit.off += fit.squares[i] > kOff ? hits.weight[i] : 0.0;
-    }
     return fit;
 }
 
@@ -76,9 +73,11 @@ std::vector<std::size_t> targetsOn(const Hits& hits, const std::vector<std::size
     for (const std::size_t j : inReach)
     {
         if (targets[j].positionSigma >= kSurePosition) continue;
-        fits.push_back(fitOf(hits, j, finder.surfaceOf(j, hits)));
+        const TargetSurface surface = finder.surfaceOf(j, hits);
+        const double off = surface.weightBeyond(kOff, hits);
         // As for most clusters: nothing is left for another target.
-        if (fits.back().off < least) return {};
+        if (off < least) return {};
+        fits.push_back(fitOf(hits, j, surface, off));
     }
     if (fits.size() < 2) return {};
     const auto best = std::max_element(fits.begin(), fits.end(),

@@ -2,27 +2,35 @@
 #include "vdamf/tracking/discrimination/classify.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
-#include <numeric>
+
+#include "types/lanes.h"
+#include "types/wide_lanes.h"
 
 namespace vdamf
 {
 double vehicleScore(const DiscriminatorModel& model, const std::vector<float>& features)
 {
     assert(features.size() == model.weights.size());
-    // Sums side by side, so that no addition waits for the one before.
-    constexpr std::size_t kSums = 8;
-    std::array<double, kSums> sums{};
-    const std::size_t whole = features.size() - features.size() % kSums;
-    for (std::size_t i = 0; i < whole; i += kSums)
-        for (std::size_t k = 0; k < kSums; ++k)
-            sums[k] += model.weights[i + k] * static_cast<double>(features[i + k]);
-    double score = std::accumulate(sums.begin(), sums.end(), model.bias);
-    for (std::size_t i = whole; i < features.size(); ++i)
-        score += model.weights[i] * static_cast<double>(features[i]);
-    return score;
+    double score = 0.0;
+    inWideLanes([
+        weights = model.weights.data(), values = features.data(), size = features.size(), result = &
+        score
+    ]() __attribute__((always_inline)) {
+        Doubles sum{};
+        const auto add = [&](std::size_t first, std::size_t count) __attribute__((always_inline))
+        {
+            Doubles weight;
+            HalfOfFloats value;
+            load(weight, weights + first, count);
+            load(value, values + first, count);
+            sum += weight * __builtin_convertvector(value, Doubles);
+        };
+        inGroupsOf<kLanes<Doubles>>(size, add);
+        *result = sumOf(sum);
+    });
+    return model.bias + score;
 }
 
 double hitDecades(std::size_t hits)

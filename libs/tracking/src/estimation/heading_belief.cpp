@@ -13,18 +13,28 @@ namespace
 constexpr double kCertain = 9.0;       // most of them that are kept: even habit can be wrong
 constexpr double kLongest = 0.2;       // s, that count for one frame
 constexpr double kCourseRate = 20.0;   // log odds a second
-constexpr double kSizeRate = 10.0;     // frames that count for themselves, a second
+constexpr double kFrameRate = 10.0;    // frames that count for themselves, a second
 constexpr double kReverseSpeed = 4.0;  // m/s: nobody reverses faster on a road
 constexpr double kSideways = 0.5;      // cosine, below which a course is neither forth nor back
+// Who has been seen to drive forward, by so much log odds, may drive slowly in reverse as well.
+constexpr double kKnown = 4.0;
 // Frames show the same thing again and again: all of them say at most so many times what one does.
 constexpr double kRepeats = 3.0;
 
-double withEvidence(double odds, double evidence, double frames)
+double withEvidence(double odds, double evidence, double frames, double repeats)
 {
-    const double most = std::clamp(kRepeats * evidence, -kCertain, kCertain);
+    const double most = std::clamp(repeats * evidence, -kCertain, kCertain);
     const double next = odds + frames * evidence;
     return evidence > 0.0 ? std::max(odds, std::min(next, most))
                           : std::min(odds, std::max(next, most));
+}
+
+// Log odds that what moves does so with its front ahead.
+double frontEvidence(double forth)
+{
+    constexpr double kReverse = 0.03;  // of what moves
+    const double ahead = forth * (1.0 - kReverse) + (1.0 - forth) * kReverse;
+    return std::log(ahead / (1.0 - ahead));
 }
 }  // namespace
 
@@ -42,12 +52,14 @@ HeadingBelief HeadingBelief::after(const HeadingCues& cues) const
 {
     HeadingBelief next = *this;
     const double dt = std::min(cues.dt, kLongest);
-    next.axes_ = withEvidence(axes_, axesEvidence(cues), kSizeRate * dt);
+    const double frames = kFrameRate * dt;
+    next.axes_ = withEvidence(axes_, axesEvidence(cues), frames, kRepeats);
+    const double forth = course_[0] - course_[2];
+    if (std::abs(forth) < kKnown)
+        next.course_[2] -= withEvidence(forth, frontEvidence(cues.forth), frames, 1.0) - forth;
     for (std::size_t k = 0; cues.course && k < 4; ++k)
     {
         const double along = std::cos(cues.course->direction - 0.5 * kPi * static_cast<double>(k));
-        // Who has been seen to drive forward may drive slowly in reverse as well.
-        constexpr double kKnown = 4.0;
         const bool mayReverse =
             cues.course->speed < kReverseSpeed && course_[k] - course_[(k + 2) % 4] > kKnown;
         const bool fits = along > kSideways || (along < -kSideways && mayReverse);

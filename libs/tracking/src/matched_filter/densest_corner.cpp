@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "types/lanes.h"
 #include "types/wide_lanes.h"
 
 namespace vdamf
@@ -128,16 +129,27 @@ struct Corner
 Corner densestCorner(const Hits& hits, const Eigen::Vector2d& origin)
 {
     TurnedHits turned(hits, origin);
-    Corner best;
-    for (int k = 0; k < kHeadings; ++k)
+    const auto cornerAt = [&turned](int k)
     {
         const double heading = 0.5 * kPi * k / kHeadings;
         turned.turnTo(heading);
         const auto [x, y] = turned.peaks();
-        const Corner corner{heading, x, y};
-        if (corner.weight() > best.weight()) best = corner;
-    }
-    return best;
+        return Corner{heading, x, y};
+    };
+    // Every other heading, then those beside the best one.
+    int best = 0;
+    Corner corner = cornerAt(best);
+    const auto tryAt = [&](int k)
+    {
+        const Corner other = cornerAt(k);
+        if (other.weight() <= corner.weight()) return;
+        corner = other;
+        best = k;
+    };
+    for (int k = 2; k < kHeadings; k += 2) tryAt(k);
+    const int middle = best;
+    for (const int k : {middle - 1, middle + 1}) tryAt((k + kHeadings) % kHeadings);
+    return corner;
 }
 }  // namespace
 
@@ -172,25 +184,45 @@ double shareOnNearFaces(const Hits& hits, const OrientedBox& box, const Eigen::V
     const double c = std::cos(box.heading);
     const double s = std::sin(box.heading);
     const double perWidth = 1.0 / (32.0 * scale * scale);
-    double sum = 0.0;
-    for (std::size_t i = 0; i < hits.size(); ++i)
-    {
-        const double dx = hits.x[i] - box.x;
-        const double dy = hits.y[i] - box.y;
-        // Outwards of the two near faces.
-        const double end = signX * (c * dx + s * dy) - 0.5 * box.length;
-        const double side = signY * (c * dy - s * dx) - 0.5 * box.width;
-        const bool byEnd = signX * view.x() > 0.5 * box.length && side < scale;
-        const bool bySide = signY * view.y() > 0.5 * box.width && end < scale;
-        double square = 1e30;
-        if (byEnd && side > -box.width - scale) square = end * end;
-        if (bySide && end > -box.length - scale) square = std::min(square, side * side);
-        // exp() by its limit, as in line_sums.cpp.
-        const double base = std::max(0.0, 1.0 - square * perWidth);
-        const double fourth = base * base * base * base;
-        sum += hits.weight[i] * fourth * fourth * fourth * fourth;
-    }
-    return sum / hits.totalWeight;
+    // What is not beside a face towards the sensor is far from it.
+    constexpr double kFar = 1e30;
+    const double noEnd = signX * view.x() > 0.5 * box.length ? 0.0 : kFar;
+    const double noSide = signY * view.y() > 0.5 * box.width ? 0.0 : kFar;
+    double share = 0.0;
+    inWideLanes([
+        =, size = hits.size(), px = hits.x.data(), py = hits.y.data(), weights = hits.weight.data(),
+        result = &share
+    ]() __attribute__((always_inline)) {
+        Doubles sum{};
+        const auto add = [&](std::size_t first, std::size_t count) __attribute__((always_inline))
+        {
+            Doubles dx;
+            Doubles dy;
+            Doubles weight;
+            load(dx, px + first, count);
+            load(dy, py + first, count);
+            load(weight, weights + first, count);
+            dx -= box.x;
+            dy -= box.y;
+            // Outwards of the two near faces.
+            const Doubles end = signX * (c * dx + s * dy) - 0.5 * box.length;
+            const Doubles side = signY * (c * dy - s * dx) - 0.5 * box.width;
+            const auto besideEnd = (side < scale) & (side > -box.width - scale);
+            const auto besideSide = (end < scale) & (end > -box.length - scale);
+            const Doubles far = Doubles{} + kFar;
+            const Doubles byEnd = (besideEnd ? end * end : far) + noEnd;
+            const Doubles bySide = (besideSide ? side * side : far) + noSide;
+            const Doubles square = byEnd < bySide ? byEnd : bySide;
+            // exp() by its limit, as in line_sums.cpp.
+            const Doubles falling = 1.0 - square * perWidth;
+            const Doubles base = falling > 0.0 ? falling : Doubles{};
+            const Doubles fourth = base * base * base * base;
+            sum += weight * (fourth * fourth) * (fourth * fourth);
+        };
+        inGroupsOf<kLanes<Doubles>>(size, add);
+        *result = sumOf(sum);
+    });
+    return share / hits.totalWeight;
 }
 
 }  // namespace vdamf

@@ -188,15 +188,16 @@ private:
 };
 }  // namespace
 
-std::optional<FoundFaces> findFaces(const Hits& hits, const OrientedBox& fitted,
-                                    const OrientedBox& start, const FilterFit& filterFrom,
+std::optional<FoundFaces> findFaces(const Hits& hits, const FaceSearch& search,
                                     const Eigen::Vector2d& sensor, const MeasureOptions& options)
 {
     TriedFaces faces(hits, sensor, options);
-    faces.tryFrom(fitted);
-    if (!faces.areEnough(kEnoughWithoutStart)) faces.tryFrom(start);
-    if (!faces.areEnough(kEnough)) faces.tryFrom(filterFrom(start));
-    if (!faces.areEnough(kEnough)) faces.tryFrom(boxInDensestCorner(hits, start, sensor));
+    faces.tryFrom(search.fitted);
+    if (search.isFirstTaken) return faces.best();
+    if (!faces.areEnough(kEnoughWithoutStart)) faces.tryFrom(search.start);
+    if (search.filterFromStart && !faces.areEnough(kEnough))
+        faces.tryFrom(search.filterFromStart());
+    if (!faces.areEnough(kEnough)) faces.tryFrom(boxInDensestCorner(hits, search.start, sensor));
     return faces.best();
 }
 

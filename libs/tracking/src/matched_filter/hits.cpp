@@ -2,9 +2,12 @@
 #include "vdamf/tracking/matched_filter/hits.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <numeric>
+
+#include "types/wide_lanes.h"
 
 namespace vdamf
 {
@@ -31,9 +34,11 @@ struct Cell
 };
 
 // Beyond this a cell number would not fit; no sensor reaches there. False for NaN as well.
+constexpr float kFarthest = 1e7F;
+
 bool isUsable(float x, float y)
 {
-    return std::abs(x) < 1e7F && std::abs(y) < 1e7F;
+    return std::abs(x) < kFarthest && std::abs(y) < kFarthest;
 }
 
 std::uint64_t heightsOf(const Cluster& cluster)
@@ -95,18 +100,38 @@ public:
     {
     }
 
+    // A cell has a number of 16 bits; and a table of so many fits the second level of caches.
     static bool fits(const CellRange& range)
     {
-        constexpr std::int64_t kMost = 16384;
+        constexpr std::int64_t kMost = kFree;
         return range.columns <= kMost && range.rows <= kMost && range.columns * range.rows <= kMost;
     }
 
-    std::size_t find(float x, float y, std::size_t next)
+    // Places in the table of some hits; -1: not usable.
+    void locate(const float* x, const float* y, std::size_t size, std::int32_t* at) const
     {
-        // Not negative, so that cutting the digits off is rounding down.
-        const auto column = static_cast<std::int32_t>(x * perMetre_ - firstColumn_);
-        const auto row = static_cast<std::int32_t>(y * perMetre_ - firstRow_);
-        std::uint16_t& cell = cells_[static_cast<std::size_t>(row * columns_ + column)];
+        inWideLanes([
+            =, columns = columns_, firstColumn = firstColumn_, firstRow = firstRow_, perMetre =
+            perMetre_
+        ]() __attribute__((always_inline)) {
+            VDAMF_INDEPENDENT_LANES
+            for (std::size_t i = 0; i < size; ++i)
+            {
+                const bool usable = (std::abs(x[i]) < kFarthest) & (std::abs(y[i]) < kFarthest);
+                // Not negative, so that cutting the digits off is rounding down.
+                const double column = usable ? x[i] * perMetre - firstColumn : 0.0;
+                const double row = usable ? y[i] * perMetre - firstRow : 0.0;
+                const std::int32_t place =
+                    static_cast<std::int32_t>(row) * columns + static_cast<std::int32_t>(column);
+                at[i] = usable ? place : -1;
+            }
+        });
+    }
+
+    // The number of the cell in a place; `next` where it has none yet.
+    std::size_t cellAt(std::int32_t place, std::size_t next)
+    {
+        std::uint16_t& cell = cells_[static_cast<std::size_t>(place)];
         if (cell == kFree) cell = static_cast<std::uint16_t>(next);
         return cell;
     }
@@ -187,6 +212,28 @@ std::vector<Cell> cellsOf(const Cluster& cluster, Finder&& finder, std::size_t e
     return cells;
 }
 
+std::vector<Cell> cellsIn(const Cluster& cluster, CellTable table, std::size_t expected)
+{
+    std::vector<Cell> cells;
+    cells.reserve(expected);
+    std::array<std::int32_t, 512> place;
+    for (std::size_t begin = 0; begin < cluster.size(); begin += place.size())
+    {
+        const float* const x = cluster.x.data() + begin;
+        const float* const y = cluster.y.data() + begin;
+        const std::size_t size = std::min(place.size(), cluster.size() - begin);
+        table.locate(x, y, size, place.data());
+        for (std::size_t i = 0; i < size; ++i)
+        {
+            if (place[i] < 0) continue;
+            const std::size_t cell = table.cellAt(place[i], cells.size());
+            if (cell == cells.size()) cells.push_back({x[i], y[i]});
+            cells[cell].add(x[i], y[i]);
+        }
+    }
+    return cells;
+}
+
 // Every hit alone.
 struct NoCells
 {
@@ -200,7 +247,7 @@ std::vector<Cell> cellsOf(const Cluster& cluster, double cellSize)
     const std::size_t expected = std::min(kExpected, cluster.size());
     const double perMetre = 1.0 / cellSize;
     const CellRange range = rangeOf(cluster, perMetre);
-    if (CellTable::fits(range)) return cellsOf(cluster, CellTable(range, perMetre), expected);
+    if (CellTable::fits(range)) return cellsIn(cluster, CellTable(range, perMetre), expected);
     return cellsOf(cluster, CellFinder(perMetre), expected);
 }
 }  // namespace

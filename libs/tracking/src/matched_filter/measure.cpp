@@ -3,12 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "matched_filter/face_extent.h"
 #include "matched_filter/find_faces.h"
 #include "matched_filter/insets.h"
 #include "matched_filter/match_kernel.h"
+#include "types/lanes.h"
+#include "types/wide_lanes.h"
 #include "vdamf/tracking/matched_filter/covariance.h"
 
 namespace vdamf
@@ -33,15 +36,77 @@ std::vector<FilterShape> filterSteps(const MeasureOptions& options)
     return steps;
 }
 
-// A start whose hits lie mostly in the surround would gain by leaving them altogether.
-OrientedBox betterStart(const Hits& hits, const Eigen::Vector2d& sensor, const FilterShape& shape,
-                        const OrientedBox& start)
+// The matched filter alone, from a start to its box.
+class FilterRun
 {
+public:
+    FilterRun(const Hits& hits, const Eigen::Vector2d& sensor,
+              const std::optional<SizePrior>& prior, std::vector<FilterShape> steps)
+        : hits_(hits), sensor_(sensor), prior_(prior), steps_(std::move(steps))
+    {
+    }
+
+    const FilterShape& widest() const { return steps_.front(); }
+    const FilterShape& narrowest() const { return steps_.back(); }
+
+    /// Through all steps; counts the iterations of all of them.
+    Fit from(const OrientedBox& start, const FitOptions& options) const
+    {
+        Fit fit;
+        fit.box = start;
+        int iterations = 0;
+        for (const FilterShape& shape : steps_)
+        {
+            fit = fitMatchedFilter(hits_, shape, sensor_, fit.box, options, prior_);
+            iterations += fit.iterations;
+        }
+        fit.iterations = iterations;
+        return fit;
+    }
+
+    /// A start whose hits lie mostly in the surround would gain by leaving them altogether.
+    OrientedBox betterStart(const OrientedBox& start) const
+    {
+        const OrientedBox moved = movedOntoHits(start, hits_, sensor_);
+        const KernelHits kernel = kernelHits(hits_, start.centre());
+        const auto match = [&](const OrientedBox& box)
+        { return kernelResponse(kernel, widest(), box, bearingToSensor(box, sensor_)).value; };
+        return match(moved) > match(start) ? moved : start;
+    }
+
+private:
+    const Hits& hits_;
+    const Eigen::Vector2d& sensor_;
+    std::optional<SizePrior> prior_;
+    std::vector<FilterShape> steps_;
+};
+
+bool isSamePlace(const OrientedBox& a, const OrientedBox& b)
+{
+    return a.x == b.x && a.y == b.y;
+}
+
+// What a filter run has come to, and from where.
+struct FilterResult
+{
+    OrientedBox start;  // that was asked for
+    OrientedBox from;   // that or where the hits are
+    Fit fit;
+};
+
+// From the start; where that is not enough, from where the hits are as well.
+FilterResult filterResult(const FilterRun& filter, const Hits& hits, const Eigen::Vector2d& sensor,
+                          const OrientedBox& start, const FitOptions& options, double enoughMatch)
+{
+    FilterResult result{start, filter.betterStart(start), {}};
+    result.fit = filter.from(result.from, options);
+    if (result.fit.match > enoughMatch) return result;
     const OrientedBox moved = movedOntoHits(start, hits, sensor);
-    const KernelHits kernel = kernelHits(hits, start.centre());
-    const auto match = [&](const OrientedBox& box)
-    { return kernelResponse(kernel, shape, box, bearingToSensor(box, sensor)).value; };
-    return match(moved) > match(start) ? moved : start;
+    if (isSamePlace(moved, result.from)) return result;
+    Fit other = filter.from(moved, options);
+    other.iterations += result.fit.iterations;
+    result.fit.iterations = other.iterations;
+    return other.match > result.fit.match ? FilterResult{moved, moved, other} : result;
 }
 
 // The filter has to come within reach of the lines only.
@@ -54,6 +119,51 @@ FitOptions beforeLines(const FitOptions& options)
     coarse.tolerance = std::max(options.tolerance, kTolerance);
     coarse.maxIterations = std::min(options.maxIterations, kIterations);
     return coarse;
+}
+
+// Weights of the hits in the strips of the two faces towards the sensor.
+struct StripHits
+{
+    double end = 0.0;
+    double side = 0.0;
+};
+
+// The faces lie where the signs say along the axes of the box. A hit in both strips is in neither.
+StripHits hitsInStrips(const Hits& hits, const OrientedBox& box, double signX, double signY,
+                       const FilterShape& shape)
+{
+    StripHits strips;
+    inWideLanes([
+        =, c = std::cos(box.heading), s = std::sin(box.heading), size = hits.size(),
+        px = hits.x.data(), py = hits.y.data(), weights = hits.weight.data(), result = &strips
+    ]() __attribute__((always_inline)) {
+        Doubles ends{};
+        Doubles sides{};
+        const auto add = [&](std::size_t first, std::size_t count) __attribute__((always_inline))
+        {
+            Doubles dx;
+            Doubles dy;
+            Doubles weight;
+            load(dx, px + first, count);
+            load(dy, py + first, count);
+            load(weight, weights + first, count);
+            dx -= box.x;
+            dy -= box.y;
+            // Behind the faces, negative in front of them.
+            const Doubles end = 0.5 * box.length - signX * (c * dx + s * dy);
+            const Doubles side = 0.5 * box.width - signY * (c * dy - s * dx);
+            const auto beside = (end >= -shape.endMargin) & (end <= box.length + shape.endMargin) &
+                                (side >= -shape.sideMargin) &
+                                (side <= box.width + shape.sideMargin);
+            const auto inEnd = end < shape.endStrip;
+            const auto inSide = side < shape.sideStrip;
+            ends += (beside & inEnd & ~inSide) ? weight : Doubles{};
+            sides += (beside & inSide & ~inEnd) ? weight : Doubles{};
+        };
+        inGroupsOf<kLanes<Doubles>>(size, add);
+        *result = {sumOf(ends), sumOf(sides)};
+    });
+    return strips;
 }
 
 // What is known where no face is: nothing shows any of them, and any heading near the fitted one
@@ -89,29 +199,11 @@ FaceSet facesSeen(const Hits& hits, const OrientedBox& box, const Eigen::Vector2
     const bool left = view.y() > 0.0;
     const double endAngle = std::atan2(std::abs(view.x()) - l, std::abs(view.y()));
     const double sideAngle = std::atan2(std::abs(view.y()) - w, std::abs(view.x()));
-    double endHits = 0.0;
-    double sideHits = 0.0;
-    const double c = std::cos(box.heading);
-    const double s = std::sin(box.heading);
-    for (std::size_t i = 0; i < hits.size(); ++i)
-    {
-        const double dx = hits.x[i] - box.x;
-        const double dy = hits.y[i] - box.y;
-        // Depth of the hit behind the face towards the sensor, negative in front of it.
-        const double depthEnd = l - (front ? 1.0 : -1.0) * (c * dx + s * dy);
-        const double depthSide = w - (left ? 1.0 : -1.0) * (c * dy - s * dx);
-        if (depthEnd < -shape.endMargin || depthSide < -shape.sideMargin) continue;
-        if (depthEnd > box.length + shape.endMargin || depthSide > box.width + shape.sideMargin)
-            continue;
-        const bool inEnd = depthEnd < shape.endStrip;
-        const bool inSide = depthSide < shape.sideStrip;
-        if (inEnd && !inSide) endHits += hits.weight[i];
-        if (inSide && !inEnd) sideHits += hits.weight[i];
-    }
+    const StripHits strips = hitsInStrips(hits, box, front ? 1.0 : -1.0, left ? 1.0 : -1.0, shape);
     FaceSet seen;
-    if (endAngle > options.minFaceAngle && endHits >= options.minFaceHits)
+    if (endAngle > options.minFaceAngle && strips.end >= options.minFaceHits)
         seen.add(front ? Face::Front : Face::Back);
-    if (sideAngle > options.minFaceAngle && sideHits >= options.minFaceHits)
+    if (sideAngle > options.minFaceAngle && strips.side >= options.minFaceHits)
         seen.add(left ? Face::Left : Face::Right);
     return seen;
 }
@@ -127,34 +219,35 @@ MeasureOptions withFilter(const MeasureOptions& options, const FilterParameters&
 
 Measurement measureTarget(const Hits& hits, const Eigen::Vector2d& sensor, const OrientedBox& start,
                           const MeasureOptions& options,
-                          const std::optional<Eigen::Vector2d>& knownLengthWidth)
+                          const std::optional<Eigen::Vector2d>& knownLengthWidth,
+                          const SearchEffort& effort)
 {
     std::optional<SizePrior> prior;
     if (knownLengthWidth && options.sizePriorWeight > 0.0)
         prior = SizePrior{knownLengthWidth->x(), knownLengthWidth->y(), options.sizePriorWeight,
                           options.sizePriorWeight};
-    const std::vector<FilterShape> steps = filterSteps(options);
+    const FilterRun filter(hits, sensor, prior, filterSteps(options));
     const bool linesFollow = options.filter == FilterKind::FaceLines;
-    const OrientedBox onHits = betterStart(hits, sensor, steps.front(), start);
-    Measurement m;
-    m.box = onHits;
-    m.hits = static_cast<int>(std::lround(hits.totalWeight));
-    Fit fit;
-    const auto optimise = [&](const FilterShape& shape, const FitOptions& fitOptions)
-    {
-        fit = fitMatchedFilter(hits, shape, sensor, m.box, fitOptions, prior);
-        m.box = fit.box;
-        m.iterations += fit.iterations;
-        m.match = fit.match;
-        m.converged = fit.converged;
-    };
     const FitOptions first = linesFollow ? beforeLines(options.fit) : options.fit;
-    for (const FilterShape& shape : steps) optimise(shape, first);
+    const auto [begin, from, coarse] =
+        filterResult(filter, hits, sensor, start, first, effort.enoughMatch);
+    Fit fit = coarse;
+    Measurement m;
+    m.hits = static_cast<int>(std::lround(hits.totalWeight));
+    const auto take = [&m](const Fit& result)
+    {
+        m.box = result.box;
+        m.iterations += result.iterations;
+        m.match = result.match;
+        m.converged = result.converged;
+    };
+    take(fit);
     if (linesFollow)
     {
-        const auto filterFrom = [&](const OrientedBox& from)
-        { return fitMatchedFilter(hits, steps.front(), sensor, from, first, prior).box; };
-        if (const auto faces = findFaces(hits, m.box, start, filterFrom, sensor, options))
+        FaceSearch search{m.box, begin, {}, effort.isFirstTaken};
+        if (!isSamePlace(begin, from))
+            search.filterFromStart = [&, &box = begin] { return filter.from(box, first).box; };
+        if (const auto faces = findFaces(hits, search, sensor, options))
         {
             m.box = faces->fit.box;
             m.covariance = faces->fit.covariance;
@@ -163,13 +256,13 @@ Measurement measureTarget(const Hits& hits, const Eigen::Vector2d& sensor, const
             m.converged |= first.maxIterations < options.fit.maxIterations;
             return m;
         }
-        optimise(steps.front(), options.fit);
+        if (!effort.isFirstTaken) take(fit = filter.from(m.box, options.fit));
     }
     m.facesSeen = facesSeen(hits, m.box, sensor, options);
     const OrientedBox fitted = m.box;
     if (options.filter == FilterKind::PaperInset)
         m.box = withInsets(m.box, m.facesSeen, sensor, options.parameters.insets);
-    m.covariance = fitCovariance(hits, steps.back(), fitted, fit.phi, options.hitSigma);
+    m.covariance = fitCovariance(hits, filter.narrowest(), fitted, fit.phi, options.hitSigma);
     if (linesFollow)
         m.covariance = withNoFaceSeen(m.covariance, m.box.heading, options.hiddenFaceSigma);
     if (options.reachOverHits) m.box = reachingOverHits(hits, m.box, m.facesSeen, sensor);

@@ -32,20 +32,17 @@ NearFaces nearFaces(const Hits& hits, const OrientedBox& box, FaceSet seen,
         const double y = c * dy - s * dx;
         const double behindEnd = 0.5 * box.length - signX * x;
         const double behindSide = 0.5 * box.width - signY * y;
-        const bool beside = behindEnd > -o.gate && behindEnd < box.length + o.gate &&
-                            behindSide > -o.gate && behindSide < box.width + o.gate;
-        if (!beside) continue;
+        // One decision for each hit: which face it is on is hard to foretell.
+        const bool beside = (behindEnd > -o.gate) & (behindEnd < box.length + o.gate) &
+                            (behindSide > -o.gate) & (behindSide < box.width + o.gate);
+        const bool onEnd = end & (behindEnd < o.gate) & (!side | (behindSide > o.corner));
+        const bool onSide = side & (behindSide < o.gate) & (!end | (behindEnd > o.corner));
+        if (!(beside & (onEnd | onSide))) continue;
         const double weight = hits.weight[i];
-        if (end && behindEnd < o.gate && (!side || behindSide > o.corner))
-        {
-            faces[0].hits.add(signX * x, y, weight, hits.varianceAlong(i, c, s));
-            faces[0].weight += weight;
-        }
-        else if (side && behindSide < o.gate && (!end || behindEnd > o.corner))
-        {
-            faces[1].hits.add(signY * y, x, weight, hits.varianceAlong(i, -s, c));
-            faces[1].weight += weight;
-        }
+        NearFace& face = faces[onEnd ? 0 : 1];
+        face.hits.add(onEnd ? signX * x : signY * y, onEnd ? y : x, weight,
+                      onEnd ? hits.varianceAlong(i, c, s) : hits.varianceAlong(i, -s, c));
+        face.weight += weight;
     }
     for (NearFace& face : faces)
         if (face.weight < o.minHits) face.hits = FaceHits();

@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "types/lanes.h"
+#include "types/wide_lanes.h"
 #include "vdamf/tracking/matched_filter/measure.h"
 
 namespace vdamf
@@ -16,35 +18,54 @@ struct Bounds
 
 Bounds boundsAt(const Hits& hits, double heading)
 {
-    const double c = std::cos(heading);
-    const double s = std::sin(heading);
-    Bounds b;
-    for (std::size_t i = 0; i < hits.size(); ++i)
-    {
-        const double x = c * hits.x[i] + s * hits.y[i];
-        const double y = -s * hits.x[i] + c * hits.y[i];
-        b.minX = std::min(b.minX, x);
-        b.maxX = std::max(b.maxX, x);
-        b.minY = std::min(b.minY, y);
-        b.maxY = std::max(b.maxY, y);
-    }
-    return b;
+    Bounds bounds;
+    inWideLanes([
+        c = std::cos(heading), s = std::sin(heading), size = hits.size(), px = hits.x.data(),
+        py = hits.y.data(), result = &bounds
+    ]() __attribute__((always_inline)) {
+        Bounds b;
+        for (std::size_t i = 0; i < size; ++i)
+        {
+            const double x = c * px[i] + s * py[i];
+            const double y = c * py[i] - s * px[i];
+            b.minX = x < b.minX ? x : b.minX;
+            b.maxX = x > b.maxX ? x : b.maxX;
+            b.minY = y < b.minY ? y : b.minY;
+            b.maxY = y > b.maxY ? y : b.maxY;
+        }
+        *result = b;
+    });
+    return bounds;
 }
 
 // How closely the hits keep to the edges of their bounds (Zhang et al., IV 2017).
 double closenessTo(const Bounds& b, const Hits& hits, double heading)
 {
     constexpr double kClosest = 0.1;  // m; nearer to an edge than this is on it
-    const double c = std::cos(heading);
-    const double s = std::sin(heading);
     double closeness = 0.0;
-    for (std::size_t i = 0; i < hits.size(); ++i)
-    {
-        const double x = c * hits.x[i] + s * hits.y[i];
-        const double y = -s * hits.x[i] + c * hits.y[i];
-        const double edge = std::min({x - b.minX, b.maxX - x, y - b.minY, b.maxY - y});
-        closeness += hits.weight[i] / std::max(edge, kClosest);
-    }
+    inWideLanes([
+        b, c = std::cos(heading), s = std::sin(heading), size = hits.size(), px = hits.x.data(),
+        py = hits.y.data(), weights = hits.weight.data(), result = &closeness
+    ]() __attribute__((always_inline)) {
+        Doubles sum{};
+        const auto add = [&](std::size_t first, std::size_t count) __attribute__((always_inline))
+        {
+            Doubles hx;
+            Doubles hy;
+            Doubles weight;
+            load(hx, px + first, count);
+            load(hy, py + first, count);
+            load(weight, weights + first, count);
+            const Doubles x = c * hx + s * hy;
+            const Doubles y = c * hy - s * hx;
+            const Doubles ends = x - b.minX < b.maxX - x ? x - b.minX : b.maxX - x;
+            const Doubles sides = y - b.minY < b.maxY - y ? y - b.minY : b.maxY - y;
+            const Doubles edge = ends < sides ? ends : sides;
+            sum += weight / (edge > kClosest ? edge : Doubles{} + kClosest);
+        };
+        inGroupsOf<kLanes<Doubles>>(size, add);
+        *result = sumOf(sum);
+    });
     return closeness;
 }
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include "preprocessing/disjoint_sets.h"
 #include "preprocessing/plane_cells.h"
+#include "types/lanes.h"
 #include "types/wide_lanes.h"
 
 namespace vdamf
@@ -21,15 +22,7 @@ float gapAt(float x, float y, const ClusterOptions& options)
     return static_cast<float>(std::min(options.gap + options.gapPerRange * range, options.maxGap));
 }
 
-// Eight numbers, in one or several registers (vector extension of GCC and clang).
-typedef float Floats __attribute__((vector_size(32)));
 typedef std::int32_t Integers __attribute__((vector_size(32)));
-
-template <class Lanes, class Number>
-[[gnu::always_inline]] inline void load(Lanes& lanes, const Number* from)
-{
-    std::memcpy(&lanes, from, sizeof lanes);
-}
 
 // Of eight cells in a row: whether one of the first `count` is within reach of a place, and not
 // known to be in the set with that root.

@@ -38,10 +38,22 @@ Track Discriminator::judged(Track track, const SegmentedFrame& frame,
     return track;
 }
 
+double Discriminator::probabilityOf(const Track& track) const
+{
+    return toProbability(trackLogOdds(track.evidence, model().track));
+}
+
+bool Discriminator::rulesOut(const Track& track) const
+{
+    constexpr int kSightings = 3;
+    constexpr double kHardly = 0.1;  // probability
+    return !options_.isOff() && track.sightings >= kSightings && probabilityOf(track) < kHardly;
+}
+
 TrackReport Discriminator::withProbability(TrackReport report, const Track& track) const
 {
     if (options_.isOff()) return report;
-    const double probability = toProbability(trackLogOdds(track.evidence, model().track));
+    const double probability = probabilityOf(track);
     report.vehicleProbability = probability;
     report.isVehicle = probability >= options_.minProbability;
     return report;

@@ -19,11 +19,15 @@ public:
     Track judged(Track track, const SegmentedFrame& frame,
                  const std::vector<std::size_t>& clusters) const;
 
+    /// Whether the track is hardly a vehicle, by several frames.
+    bool rulesOut(const Track& track) const;
+
     /// The report with the track's probability.
     TrackReport withProbability(TrackReport report, const Track& track) const;
 
 private:
     const DiscriminatorModel& model() const;
+    double probabilityOf(const Track& track) const;
 
     DiscriminatorOptions options_;
 };

@@ -2,9 +2,9 @@
 // Which end is the front: from the way a track moves and from its shape.
 #include <algorithm>
 #include <cmath>
-#include <deque>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "tracker/track.h"
 
@@ -15,9 +15,11 @@ namespace
 constexpr double kCourseDistance = 1.5;  // m: beyond what measurement noise could feign
 constexpr double kCourseSpeed = 0.5;     // m/s
 constexpr double kLeastShare = 0.5;      // of the mean speed, in each half of a steady course
-// Log odds from which on a heading is changed: of young tracks and of others.
+// Log odds from which on length and width are exchanged, of young tracks and of others, and front
+// and rear.
 constexpr double kLikely = 1.0;
 constexpr double kDecisive = 5.0;
+constexpr double kLikelyFront = 2.5;
 constexpr int kYoung = 10;  // sightings
 
 // Straight displacement over some of the path.
@@ -96,6 +98,8 @@ std::optional<Course> steadyCourse(const Track& track)
 HeadingCues cuesOf(const Track& track, const Sighting& sighting)
 {
     HeadingCues cues = sizeCues(sighting, track.height);
+    const double variance = track.state.covariance(kSpeed, kSpeed);
+    cues.forth = 0.5 * std::erfc(-track.state.mean(kSpeed) / std::sqrt(2.0 * variance));
     if (track.path.size() < 2) return cues;
     cues.dt = track.path.back().time - track.path[track.path.size() - 2].time;
     if (const auto course = steadyCourse(track))
@@ -121,7 +125,7 @@ Measurement narrowed(const Measurement& measurement, const Eigen::Vector2d& sens
 }
 
 // The same path of a box turned by quarters.
-std::deque<PathPoint> turned(std::deque<PathPoint> path, int quarters)
+std::vector<PathPoint> turned(std::vector<PathPoint> path, int quarters)
 {
     for (PathPoint& point : path)
     {
@@ -184,6 +188,13 @@ Track reversed(const Track& track, const MotionOptions& motion)
     next.measurement = alignedWith(*track.measurement, next.state.mean(kHeading));
     return next;
 }
+
+int dueTurn(const HeadingBelief& front, bool isNew)
+{
+    const int quarters = front.turnDue(isNew ? kLikely : kDecisive);
+    if (quarters % 2 == 1) return quarters;
+    return front.turnDue(kLikelyFront) == 2 ? 2 : 0;
+}
 }  // namespace
 
 HeadingCues sizeCues(const Sighting& sighting, double height)
@@ -204,8 +215,7 @@ Track withCheckedHeading(const Track& track, const Sighting& sighting,
 {
     Track next = track;
     next.front = track.front.after(cuesOf(track, sighting));
-    const bool isNew = track.sightings < kYoung;
-    const int quarters = next.front.turnDue(isNew ? kLikely : kDecisive);
+    const int quarters = dueTurn(next.front, track.sightings < kYoung);
     if (quarters == 0) return next;
     next.front = next.front.turned(quarters);
     next.path = turned(std::move(next.path), quarters);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "tracker/one_time.h"
@@ -108,18 +109,23 @@ Sighting withLikelierAxes(Sighting sighting)
     std::swap(sighting.extent.x(), sighting.extent.y());
     return sighting;
 }
-}  // namespace
 
-std::vector<Sighting> newSightings(const SegmentedFrame& frame, const std::vector<bool>& claimed,
-                                   const TrackerOptions& options)
+// A cluster that may be a new target, with the one that it continues beyond the seam, or kNone.
+struct Start
+{
+    std::size_t cluster;
+    std::size_t other;
+};
+
+// Of two that are one target the larger one, or the earlier of equals.
+std::vector<Start> startsAmong(const SegmentedFrame& frame, const std::vector<bool>& claimed,
+                               const LifecycleOptions& options)
 {
     std::vector<std::size_t> free;
     for (std::size_t i = 0; i < frame.clusters.size(); ++i)
         if (!claimed[i]) free.push_back(i);
     const std::vector<std::size_t> partner = partners(frame, free);
-    TargetMotion unknown;
-    unknown.speedSigma = options.lifecycle.startSpeedSigma;
-    std::vector<Sighting> all;
+    std::vector<Start> starts;
     for (const std::size_t i : free)
     {
         const std::size_t other = partner[i];
@@ -127,16 +133,39 @@ std::vector<Sighting> newSightings(const SegmentedFrame& frame, const std::vecto
             other != kNone &&
             (frame.hits[other].totalWeight > frame.hits[i].totalWeight ||
              (frame.hits[other].totalWeight == frame.hits[i].totalWeight && other < i));
-        if (isSmaller || !mayStart(frame, i, options.lifecycle)) continue;
-        HitsAtOneTime seen = hitsAtOneTime(frame, {i}, unknown, options.measurement.mergeCell);
-        if (other != kNone) seen.goesOn = middleOf(frame.hits[other]);
-        const OrientedBox start =
-            startBox(seen.hits, frame.sensor, widestEnd(heightOf(frame.clusters[i])),
-                     options.measurement.fit);
-        if (std::hypot(start.length, start.width) > options.lifecycle.maxExtent) continue;
-        all.push_back(withLikelierAxes(
-            sightingOf(frame, {i}, seen, start, std::nullopt, options.measurement)));
+        if (!isSmaller && mayStart(frame, i, options)) starts.push_back({i, other});
     }
+    return starts;
+}
+
+// Nothing for what is too large.
+std::optional<Sighting> firstSighting(const SegmentedFrame& frame, const Start& at,
+                                      const TrackerOptions& options)
+{
+    TargetMotion unknown;
+    unknown.speedSigma = options.lifecycle.startSpeedSigma;
+    HitsAtOneTime seen = hitsAtOneTime(frame, {at.cluster}, unknown, options.measurement.mergeCell);
+    if (at.other != kNone) seen.goesOn = middleOf(frame.hits[at.other]);
+    const OrientedBox start =
+        startBox(seen.hits, frame.sensor, widestEnd(heightOf(frame.clusters[at.cluster])),
+                 options.measurement.fit);
+    if (std::hypot(start.length, start.width) > options.lifecycle.maxExtent) return std::nullopt;
+    return withLikelierAxes(
+        sightingOf(frame, {at.cluster}, seen, start, std::nullopt, options.measurement));
+}
+}  // namespace
+
+std::vector<Sighting> newSightings(const SegmentedFrame& frame, const std::vector<bool>& claimed,
+                                   const TrackerOptions& options, WorkerPool& workers)
+{
+    const std::vector<Start> starts = startsAmong(frame, claimed, options.lifecycle);
+    std::vector<std::optional<Sighting>> found(starts.size());
+    workers.forEach(starts.size(), [&](std::size_t k, std::size_t)
+                    { found[k] = firstSighting(frame, starts[k], options); });
+    std::vector<Sighting> all;
+    all.reserve(found.size());
+    for (std::optional<Sighting>& one : found)
+        if (one) all.push_back(std::move(*one));
     return all;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tracker/sighting.h"
+#include "tracker/worker_pool.h"
 #include "vdamf/tracking/tracker/tracker.h"
 
 namespace vdamf
@@ -13,6 +14,6 @@ namespace vdamf
 /// of the seam of a turning scanner's revolution, near enough to be one target that moved between
 /// them, give one sighting, of the larger one.
 std::vector<Sighting> newSightings(const SegmentedFrame& frame, const std::vector<bool>& claimed,
-                                   const TrackerOptions& options);
+                                   const TrackerOptions& options, WorkerPool& workers);
 
 }  // namespace vdamf

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "types/lanes.h"
+#include "types/wide_lanes.h"
 #include "vdamf/tracking/estimation/occlusion.h"
 
 namespace vdamf
@@ -16,16 +18,52 @@ Hits withoutHeights(Hits hits)
     hits.heights = 0;
     return hits;
 }
+// Sum of the local ground's z below the hits, m.
+double groundSum(const Cluster& cluster)
+{
+    if (cluster.size() == 0) return 0.0;
+    // Over that below the first one: little enough for sums in single precision.
+    const float base = cluster.z.front() - cluster.height.front();
+    double over = 0.0;
+    inWideLanes([
+        base, z = cluster.z.data(), height = cluster.height.data(), size = cluster.size(),
+        result = &over
+    ]() __attribute__((always_inline)) {
+        Floats sum{};
+        const auto add = [&](std::size_t first, std::size_t count) __attribute__((always_inline))
+        {
+            Floats zs;
+            Floats heights;
+            load(zs, z + first, count);
+            load(heights, height + first, count);
+            sum += zs - heights;
+            if (count == kLanes<Floats>) sum -= base;
+        };
+        inGroupsOf<kLanes<Floats>>(size, add);
+        *result = sumOf(sum);
+    });
+    const std::size_t rest = cluster.size() % kLanes<Floats>;
+    return over + static_cast<double>(base) * static_cast<double>(cluster.size() - rest);
+}
 }  // namespace
 
 double heightOf(const Cluster& cluster)
 {
     if (cluster.height.empty()) return 0.0;
-    return *std::max_element(cluster.height.begin(), cluster.height.end());
+    float highest = cluster.height.front();
+    inWideLanes(
+        [ height = cluster.height.data(), size = cluster.height.size(), result = &highest ]()
+            __attribute__((always_inline)) {
+                float most = *result;
+                for (std::size_t i = 0; i < size; ++i) most = height[i] > most ? height[i] : most;
+                *result = most;
+            });
+    return highest;
 }
 
 Hits hitsOf(const SegmentedFrame& frame, const std::vector<std::size_t>& clusters)
 {
+    if (clusters.size() == 1) return frame.hits[clusters.front()];
     Hits all;
     for (const std::size_t k : clusters) all = joined(all, frame.hits[k]);
     return all;
@@ -70,7 +108,7 @@ Measurement goingOnTowards(const Measurement& measurement, const Eigen::Vector2d
 Sighting sightingOf(const SegmentedFrame& frame, const std::vector<std::size_t>& clusters,
                     const HitsAtOneTime& seen, const OrientedBox& start,
                     const std::optional<Eigen::Vector2d>& knownLengthWidth,
-                    const MeasureOptions& options)
+                    const MeasureOptions& options, const SearchEffort& effort)
 {
     const Eigen::Vector2d& sensor = frame.sensor;
     Sighting s;
@@ -79,7 +117,7 @@ Sighting sightingOf(const SegmentedFrame& frame, const std::vector<std::size_t>&
     s.lag = seen.lag;
     s.clusters = clusters;
     s.measurement = measureTarget(frame.planar ? withoutHeights(seen.hits) : seen.hits, sensor,
-                                  start, options, knownLengthWidth);
+                                  start, options, knownLengthWidth, effort);
     Measurement& m = s.measurement;
     m.hiddenEnds = hiddenEnds(m.box, m.facesSeen, sensor, frame.profile);
     s.extent = extentOf(seen.hits, m.box.heading);
@@ -90,7 +128,7 @@ Sighting sightingOf(const SegmentedFrame& frame, const std::vector<std::size_t>&
     for (const std::size_t k : clusters)
     {
         const Cluster& cluster = frame.clusters[k];
-        for (std::size_t i = 0; i < cluster.size(); ++i) ground += cluster.z[i] - cluster.height[i];
+        ground += groundSum(cluster);
         count += static_cast<double>(cluster.size());
         s.height = std::max(s.height, heightOf(cluster));
     }

@@ -67,6 +67,6 @@ Measurement goingOnTowards(const Measurement& measurement, const Eigen::Vector2d
 Sighting sightingOf(const SegmentedFrame& frame, const std::vector<std::size_t>& clusters,
                     const HitsAtOneTime& seen, const OrientedBox& start,
                     const std::optional<Eigen::Vector2d>& knownLengthWidth,
-                    const MeasureOptions& options);
+                    const MeasureOptions& options, const SearchEffort& effort = {});
 
 }  // namespace vdamf

@@ -12,7 +12,10 @@ void appendToPath(Track& track, const PathPoint& point)
 {
     constexpr double kPathTime = 3.0;  // s
     track.path.push_back(point);
-    while (track.path.front().time < point.time - kPathTime) track.path.pop_front();
+    const auto first =
+        std::find_if(track.path.begin(), track.path.end(),
+                     [&](const PathPoint& p) { return p.time >= point.time - kPathTime; });
+    track.path.erase(track.path.begin(), first);
 }
 
 // The measurement as it would have been `lag` seconds before, at the time of the state.
@@ -51,16 +54,15 @@ Track startedTrack(std::uint64_t id, const Sighting& sighting, const StartSpeed&
     return track;
 }
 
-Track sightedTrack(const Track& before, const Sighting& sighting, VehicleKalmanFilter& filter,
+Track sightedTrack(Track track, const Sighting& sighting, VehicleKalmanFilter& filter,
                    const TrackerOptions& options)
 {
-    Track track = before;
     const VisibilityOptions& visibility = options.visibility;
     const Measurement m = alignedWith(
-        sighting.measurement, stateAt(before.state, sighting.lag, options.motion).mean(kHeading));
-    MotionHypotheses hypotheses = before.hypotheses;
+        sighting.measurement, stateAt(track.state, sighting.lag, options.motion).mean(kHeading));
+    MotionHypotheses hypotheses = track.hypotheses;
     hypotheses.forEach([&](const VehicleState& state)
-                       { return grownToAVehicle(state, m, before.told, visibility); });
+                       { return grownToAVehicle(state, m, track.told, visibility); });
     const VehicleState then =
         stateAt(hypotheses.combined(options.motion), sighting.lag, options.motion);
     BoxMeasurement box =
@@ -71,7 +73,7 @@ Track sightedTrack(const Track& before, const Sighting& sighting, VehicleKalmanF
         [&](const VehicleState& state)
         { return openToGrowth(state, broughtTo(state, m, box.lag, options.motion), visibility); });
     track.hypotheses = updated(hypotheses, box, filter, options.lifecycle.nisGate);
-    track.told = before.told.with(m);
+    track.told = track.told.with(m);
     track.state = track.hypotheses.combined(options.motion);
     track.measurement = m;
     track.lastMatch = m.match;
@@ -107,14 +109,13 @@ Track movedBy(Track track, const Eigen::Vector3d& by)
     return track;
 }
 
-Track predictedTrack(const Track& before, double dt, VehicleKalmanFilter& filter,
+Track predictedTrack(Track track, double dt, VehicleKalmanFilter& filter,
                      const MotionOptions& options)
 {
-    Track track = before;
-    track.hypotheses = predicted(before.hypotheses, dt, filter, options);
+    track.hypotheses = predicted(track.hypotheses, dt, filter, options);
     // Unseen, a vehicle is likelier to go straight on than to keep turning in a circle.
     constexpr double kTurnTime = 0.7;  // s
-    if (before.misses > 0)
+    if (track.misses > 0)
         for (VehicleState* state : {&track.hypotheses.moving, &track.hypotheses.steady})
             state->mean(kCurvature) *= std::exp(-dt / kTurnTime);
     track.state = track.hypotheses.combined(options);

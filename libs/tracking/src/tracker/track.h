@@ -4,8 +4,8 @@
 
 #include <cmath>
 #include <cstdint>
-#include <deque>
 #include <optional>
+#include <vector>
 
 #include "tracker/sighting.h"
 #include "vdamf/tracking/discrimination/classify.h"
@@ -39,8 +39,8 @@ struct Track
     double lastMatch = 0.0;  ///< response per hit of the last sighting, 1/m
     HeadingBelief front;
     SizesTold told;
-    std::deque<PathPoint> path;  ///< sightings of the last seconds
-    VehicleEvidence evidence;    ///< of the discriminator
+    std::vector<PathPoint> path;  ///< sightings of the last seconds
+    VehicleEvidence evidence;     ///< of the discriminator
     // Of the current frame:
     std::optional<Measurement> measurement;
     std::optional<double> nis;
@@ -61,7 +61,7 @@ Track startedTrack(std::uint64_t id, const Sighting& sighting, const StartSpeed&
                    const TrackerOptions& options);
 
 /// The track after a sighting: visibility correction, Kalman update, heading checks.
-Track sightedTrack(const Track& track, const Sighting& sighting, VehicleKalmanFilter& filter,
+Track sightedTrack(Track track, const Sighting& sighting, VehicleKalmanFilter& filter,
                    const TrackerOptions& options);
 
 /// What the faces that a sighting shows of a vehicle of that height (m) tell of its axes.
@@ -77,7 +77,7 @@ Track withCheckedHeading(const Track& track, const Sighting& sighting,
 Track movedBy(Track track, const Eigen::Vector3d& by);
 
 /// The track `dt` seconds later.
-Track predictedTrack(const Track& track, double dt, VehicleKalmanFilter& filter,
+Track predictedTrack(Track track, double dt, VehicleKalmanFilter& filter,
                      const MotionOptions& options);
 
 TrackReport reportOf(const Track& track, const VisibilityOptions& options);

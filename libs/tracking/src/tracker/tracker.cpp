@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "association/plane_index.h"
@@ -140,26 +141,30 @@ private:
         return sightings;
     }
 
-    // From the predicted pose; where that is vague, or explains the hits much worse than before,
-    // also from where the hits are. The better response wins.
+    // From the predicted pose.
     Sighting measure(const Track& track, const SegmentedFrame& frame,
                      const std::vector<std::size_t>& clusters) const
     {
-        constexpr double kVague = 0.3;      // m
-        constexpr double kPoorMatch = 0.6;  // of the last one
         const HitsAtOneTime seen =
             hitsAtOneTime(frame, clusters, motionOf(track.state), options_.measurement.mergeCell);
         const OrientedBox start = stateAt(track.state, seen.lag, options_.motion).box();
-        const auto from = [&](const OrientedBox& box)
-        {
-            return sightingOf(frame, clusters, seen, box,
-                              Eigen::Vector2d(start.length, start.width), options_.measurement);
-        };
-        Sighting best = from(start);
-        if (positionSigma(track) < kVague && best.measurement.match > kPoorMatch * track.lastMatch)
-            return best;
-        Sighting other = from(movedOntoHits(start, seen.hits, frame.sensor));
-        return other.measurement.match > best.measurement.match ? other : best;
+        return sightingOf(frame, clusters, seen, start, Eigen::Vector2d(start.length, start.width),
+                          options_.measurement, effortFor(track));
+    }
+
+    // Where the predicted pose is vague, or explains the hits much worse than before, also from
+    // where the hits are. What is hardly a vehicle is followed with less effort.
+    SearchEffort effortFor(const Track& track) const
+    {
+        constexpr double kVague = 0.3;           // m
+        constexpr double kPoorMatch = 0.6;       // of the last one
+        constexpr std::uint64_t kLookAgain = 8;  // sightings, for what was ruled out by mistake
+        const bool isTurn =
+            (track.id + static_cast<std::uint64_t>(track.sightings)) % kLookAgain == 0;
+        if (!isTurn && discriminator_.rulesOut(track)) return {0.0, true};
+        const bool isVague = positionSigma(track) >= kVague;
+        return {isVague ? std::numeric_limits<double>::infinity() : kPoorMatch * track.lastMatch,
+                false};
     }
 
     static double positionSigma(const Track& track)
@@ -174,8 +179,8 @@ private:
                          {
                              Track& track = tracks_[j];
                              if (sightings[j])
-                                 track =
-                                     sightedTrack(track, *sightings[j], filters_[worker], options_);
+                                 track = sightedTrack(std::move(track), *sightings[j],
+                                                      filters_[worker], options_);
                              else
                                  miss(track, time);
                          });
@@ -200,7 +205,7 @@ private:
         for (const auto& taken : assignment)
             for (const std::size_t i : taken) claimed[i] = true;
         const StartSpeed speed{0.0, options_.lifecycle.startSpeedSigma};
-        for (const Sighting& s : newSightings(frame, claimed, options_))
+        for (const Sighting& s : newSightings(frame, claimed, options_, workers_))
         {
             tracks_.push_back(startedTrack(nextId_++, s, speed, options_));
             assignment.push_back(s.clusters);
@@ -220,6 +225,7 @@ private:
     void removeDuplicates()
     {
         std::vector<PlaneBounds> bounds;
+        bounds.reserve(tracks_.size());
         for (const Track& track : tracks_)
             bounds.push_back(PlaneBounds::around(track.box().centre(),
                                                  std::max(track.box().length, track.box().width)));
@@ -253,6 +259,7 @@ private:
         result.points = frame.points.size();
         result.pointsAboveGround = segmented.pointsAboveGround;
         result.clusters = segmented.clusters.size();
+        result.tracks.reserve(tracks_.size());
         for (const Track& track : tracks_)
             result.tracks.push_back(
                 movedBy(discriminator_.withProbability(reportOf(track, options_.visibility), track),

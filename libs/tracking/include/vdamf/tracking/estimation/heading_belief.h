@@ -25,6 +25,7 @@ struct HeadingCues
         double speed = 0.0;
     };
     std::optional<Course> course;
+    double forth = 0.5;  ///< probability that it moves forward along the heading, not backward
     std::optional<FaceExtent> side;  ///< seen, of the box as it is held
     std::optional<FaceExtent> end;   ///< seen, of the box as it is held
     double height = 1.5;             ///< of the vehicle, m

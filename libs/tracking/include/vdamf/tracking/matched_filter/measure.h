@@ -94,11 +94,22 @@ MeasureOptions withFilter(const MeasureOptions& options, const FilterParameters&
 FaceSet facesSeen(const Hits& hits, const OrientedBox& box, const Eigen::Vector2d& sensor,
                   const MeasureOptions& options);
 
+/// How far a measurement goes for a better result.
+struct SearchEffort
+{
+    /// Response per hit, 1/m: where the start leads to no more, the filter begins where the hits
+    /// are as well.
+    double enoughMatch = 0.0;
+    /// The first result is taken, however few hits lie on its lines: for what is hardly a vehicle.
+    bool isFirstTaken = false;
+};
+
 /// Measures a target from a start, for example a track's predicted pose and size. `known` size, if
 /// given, is held to with sizePriorWeight. Coordinates: those of the hits.
 Measurement measureTarget(const Hits& hits, const Eigen::Vector2d& sensor, const OrientedBox& start,
                           const MeasureOptions& options,
-                          const std::optional<Eigen::Vector2d>& knownLengthWidth = std::nullopt);
+                          const std::optional<Eigen::Vector2d>& knownLengthWidth = std::nullopt,
+                          const SearchEffort& effort = {});
 
 /// Width (m) above which a face cannot be a vehicle's end, by the vehicle's height (m): what is low
 /// is a car, trucks and buses are wider.

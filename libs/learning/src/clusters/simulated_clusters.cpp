@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "measurement/simulated.h"
+#include "vdamf/learning/clusters/simulated_clusters.h"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 #include <stdexcept>
 
-#include "measurement/clutter.h"
-#include "measurement/view.h"
+#include "clusters/clutter.h"
+#include "clusters/view.h"
 
 namespace vdamf
 {
@@ -24,9 +24,31 @@ BodySize randomSize(ObjectClass body, RandomStream& random)
 {
     if (body == ObjectClass::Van)
         return {between(4.8, 6.5, random), between(1.9, 2.1, random), between(1.9, 2.6, random)};
+    if (body == ObjectClass::Bus)
+        return {between(10.0, 13.0, random), between(2.5, 2.55, random), between(2.9, 3.3, random)};
+    if (body == ObjectClass::Motorcycle)
+        return {between(1.9, 2.3, random), between(0.75, 0.9, random), between(1.4, 1.7, random)};
     if (body == ObjectClass::Truck)
         return {between(7.0, 12.0, random), between(2.4, 2.55, random), between(3.0, 3.8, random)};
     return {between(3.8, 5.0, random), between(1.65, 1.95, random), between(1.4, 1.7, random)};
+}
+
+VehicleType typeOf(ObjectClass body)
+{
+    switch (body)
+    {
+        case ObjectClass::Car:
+            return VehicleType::Car;
+        case ObjectClass::Van:
+            return VehicleType::Van;
+        case ObjectClass::Truck:
+        case ObjectClass::Bus:
+            return VehicleType::Truck;
+        case ObjectClass::Motorcycle:
+            return VehicleType::TwoWheeler;
+        default:
+            return VehicleType::Any;
+    }
 }
 
 // Where the sensor stands in the frame of the vehicle.
@@ -43,16 +65,18 @@ Eigen::Vector2d randomView(SimulatedKind::Aspect kind, const BodySize& size, Ran
     return {range * std::cos(aspect), range * std::sin(aspect)};
 }
 
-std::optional<Sample> drawn(const SimulatedKind& kind, RandomStream& random)
+std::optional<LabelledCluster> drawn(const SimulatedKind& kind, RandomStream& random)
 {
     const BodySize size = randomSize(kind.body, random);
     const Eigen::Vector2d view = randomView(kind.aspect, size, random);
-    Sample sample;
+    LabelledCluster sample;
     sample.isBody = kind.body != ObjectClass::Box;
     sample.rangeNoise = kind.rangeNoise;
     sample.truth.heading = between(-kPi, kPi, random);
     sample.truth.length = size.length;
     sample.truth.width = size.width;
+    sample.height = size.height;
+    sample.type = typeOf(kind.body);
     const Eigen::Vector2d centre = -(rotation(sample.truth.heading) * view);
     sample.truth.x = centre.x();
     sample.truth.y = centre.y();
@@ -97,21 +121,25 @@ std::vector<SimulatedKind> simulatedKinds()
          Aspect::End},
         {"car_side_only", "a side of the car alone", car, 0.02, 0.0, false, false, false,
          Aspect::Side},
+        {"bus", "bus, 2 cm range noise", ObjectClass::Bus, 0.02},
+        {"motorcycle", "motorcycle with its rider, 2 cm range noise", ObjectClass::Motorcycle,
+         0.02},
     };
 }
 
-Condition simulatedCondition(const SimulatedKind& kind, int count, std::uint64_t seed)
+LabelledClusters simulatedCondition(const SimulatedKind& kind, int count, std::uint64_t seed)
 {
     constexpr int kTries = 200;
-    Condition condition{kind.name, kind.description, {}};
+    LabelledClusters condition{kind.name, kind.description, {}};
     for (int index = 0; index < count; ++index)
     {
         const auto stream = static_cast<std::uint64_t>(index);
         RandomStream random(seed, 2 * stream);
-        std::optional<Sample> sample;
+        std::optional<LabelledCluster> sample;
         for (int i = 0; i < kTries && !sample; ++i) sample = drawn(kind, random);
         if (!sample) throw std::runtime_error(kind.name + ": no cluster of ten hits in 200 tries");
         sample->start = perturbed(sample->truth, seed, 2 * stream + 1);
+        sample->group = kind.name + ' ' + std::to_string(index);
         condition.samples.push_back(*sample);
     }
     return condition;

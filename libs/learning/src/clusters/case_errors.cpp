@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "measurement/case_errors.h"
+#include "vdamf/learning/clusters/case_errors.h"
 
 #include <Eigen/Cholesky>
 #include <algorithm>
@@ -38,7 +38,7 @@ FaceLine faceLine(const OrientedBox& box, Face face)
     return {{0.0, -1.0}, 0.5 * box.width};
 }
 
-double cornerError(const OrientedBox& box, const Sample& sample)
+double cornerError(const OrientedBox& box, const LabelledCluster& sample)
 {
     const auto truth = corners(sample.truth);
     const auto nearest =
@@ -64,7 +64,7 @@ Eigen::Matrix<double, 1, 5> faceRow(const OrientedBox& box, Face face)
 
 // Squared error of heading and faces seen, normalised by the fit's own covariance and what is known
 // of the errors of the true box.
-void setNees(CaseErrors& errors, const Measurement& m, const Sample& sample)
+void setNees(CaseErrors& errors, const Measurement& m, const LabelledCluster& sample)
 {
     const OrientedBox aligned = alignedTo(sample.truth, m.box.heading);
     Eigen::Matrix<double, 5, 5> map = Eigen::Matrix<double, 5, 5>::Zero();
@@ -88,7 +88,7 @@ void setNees(CaseErrors& errors, const Measurement& m, const Sample& sample)
     errors.neesDimension = n;
 }
 
-void setFaceErrors(CaseErrors& errors, const OrientedBox& box, const Sample& sample)
+void setFaceErrors(CaseErrors& errors, const OrientedBox& box, const LabelledCluster& sample)
 {
     const OrientedBox aligned = alignedTo(box, sample.truth.heading);
     for (const Face face : kFaces)
@@ -125,7 +125,7 @@ double faceOffset(const OrientedBox& box, const OrientedBox& other, Face face)
     return itsNormal.dot(itsMiddle - middle) / itsNormal.dot(normal);
 }
 
-CaseErrors errorsOf(const Estimate& estimate, const Sample& sample)
+CaseErrors errorsOf(const Estimate& estimate, const LabelledCluster& sample)
 {
     const OrientedBox& box = estimate.box;
     CaseErrors errors;

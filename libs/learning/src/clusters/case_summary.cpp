@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "measurement/summary.h"
+#include "vdamf/learning/clusters/case_summary.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,7 +31,7 @@ double share(std::size_t part, std::size_t whole)
                      : std::numeric_limits<double>::quiet_NaN();
 }
 
-void setConsistency(Summary& summary, const std::vector<CaseErrors>& cases)
+void setConsistency(CaseSummary& summary, const std::vector<CaseErrors>& cases)
 {
     double sum = 0.0;
     double freedom = 0.0;
@@ -79,9 +79,9 @@ ErrorFigures figuresOf(const std::vector<double>& errors)
     return {quantile(errors, 0.5), quantile(sizes, 0.5), quantile(sizes, 0.9), errors.size()};
 }
 
-Summary summaryOf(const std::vector<CaseErrors>& cases)
+CaseSummary summaryOf(const std::vector<CaseErrors>& cases)
 {
-    Summary s;
+    CaseSummary s;
     s.cases = cases.size();
     s.heading90 = figuresOf(valuesOf(cases, &CaseErrors::heading90));
     s.heading180 = figuresOf(valuesOf(cases, &CaseErrors::heading180));

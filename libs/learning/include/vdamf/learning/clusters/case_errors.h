@@ -4,10 +4,17 @@
 
 #include <optional>
 
-#include "measurement/methods.h"
+#include "vdamf/learning/clusters/labelled_cluster.h"
+#include "vdamf/tracking/types/measurement.h"
 
 namespace vdamf
 {
+struct Estimate
+{
+    OrientedBox box;
+    std::optional<Measurement> measurement;  ///< of our fits
+};
+
 struct CaseErrors
 {
     double heading90 = 0.0;   ///< to the nearest axis of the true box, 0..45 deg
@@ -31,6 +38,6 @@ OrientedBox alignedTo(const OrientedBox& box, double heading);
 /// middle of the latter, m. The headings are within 45 degrees of each other.
 double faceOffset(const OrientedBox& box, const OrientedBox& other, Face face);
 
-CaseErrors errorsOf(const Estimate& estimate, const Sample& sample);
+CaseErrors errorsOf(const Estimate& estimate, const LabelledCluster& sample);
 
 }  // namespace vdamf

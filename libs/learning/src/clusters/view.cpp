@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "measurement/view.h"
+#include "clusters/view.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "measurement/sample.h"
+#include "vdamf/learning/clusters/labelled_cluster.h"
 #include "vdamf/simulation/body.h"
 
 namespace vdamf
@@ -35,6 +35,6 @@ struct SimulatedKind
 std::vector<SimulatedKind> simulatedKinds();
 
 /// `count` samples of at least ten hits each; the same for the same seed.
-Condition simulatedCondition(const SimulatedKind& kind, int count, std::uint64_t seed);
+LabelledClusters simulatedCondition(const SimulatedKind& kind, int count, std::uint64_t seed);
 
 }  // namespace vdamf

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "measurement/case_errors.h"
+#include "vdamf/learning/clusters/case_errors.h"
 
 namespace vdamf
 {
@@ -22,7 +22,7 @@ struct ErrorFigures
 };
 ErrorFigures figuresOf(const std::vector<double>& errors);
 
-struct Summary
+struct CaseSummary
 {
     std::string condition;
     std::string method;
@@ -43,6 +43,6 @@ struct Summary
     double microseconds = 0.0;  ///< mean time of one estimate
 };
 
-Summary summaryOf(const std::vector<CaseErrors>& cases);
+CaseSummary summaryOf(const std::vector<CaseErrors>& cases);
 
 }  // namespace vdamf

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "measurement/sample.h"
+#include "vdamf/learning/clusters/labelled_cluster.h"
 
 #include <algorithm>
 #include <cmath>
@@ -42,6 +42,14 @@ FaceSet facesInView(const Cluster& cluster, const OrientedBox& truth, const Eige
     if (faces[0] && hits[0] >= kLeastHits) seen.add(view.x() > 0.0 ? Face::Front : Face::Back);
     if (faces[1] && hits[1] >= kLeastHits) seen.add(view.y() > 0.0 ? Face::Left : Face::Right);
     return seen;
+}
+
+MeasureOptions toldOptions(const MeasureOptions& options, const LabelledCluster& sample)
+{
+    MeasureOptions own = options;
+    if (own.rangeNoise > 0.0) own.rangeNoise = sample.rangeNoise;
+    if (!sample.isBody) own.bodyDepth = 0.0;
+    return own;
 }
 
 OrientedBox perturbed(const OrientedBox& truth, std::uint64_t seed, std::uint64_t index)

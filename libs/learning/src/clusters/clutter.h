@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "measurement/view.h"
+#include "clusters/view.h"
 
 namespace vdamf
 {

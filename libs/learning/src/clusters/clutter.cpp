@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "measurement/clutter.h"
+#include "clusters/clutter.h"
 
 #include <cmath>
 

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vdamf-train filter on simulated clusters and the shipped street, its filters in vdamf-track, and
+// what both refuse.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <set>
+#include <string>
+
+#include "apps/command_line.h"
+#include "files/temporary_folder.h"
+#include "vdamf/files/csv.h"
+#include "vdamf/files/text_file.h"
+
+namespace vdamf
+{
+namespace
+{
+using testing::HasSubstr;
+namespace fs = std::filesystem;
+
+const std::string kStreet = VDAMF_SOURCE_DIR "/datasets/street/";
+const std::string kFew = " --global 2 --local 2 -q";
+
+class TrainFilterApp : public TemporaryFolder
+{
+protected:
+    int run(const std::string& app, const std::string& arguments)
+    {
+        const Outcome outcome = runShell("cd '" + at("").string() + "' && '" VDAMF_APPS_DIR "/" +
+                                         app + "' " + arguments);
+        output_ = outcome.output;
+        return outcome.exitCode;
+    }
+
+    std::string output_;
+};
+
+TEST_F(TrainFilterApp, MakesAFilterThatVdamfTrackTakes)
+{
+    make("sources.ini",
+         "[simulated cars]\nkind = car\nclusters = 8\n"
+         "[simulated other]\nkind = van\nclusters = 5\nseed = 2\nuse = test\n"
+         "[recording street]\nrawlog = " +
+             kStreet + "street.rawlog\ntruth = " + kStreet + "truth.csv\nmost_clusters = 20\n");
+    const std::string command = "filter sources.ini -o filter.txt --folds 2 --held-out held.csv";
+    ASSERT_EQ(run("vdamf-train", command + kFew), 0) << output_;
+    EXPECT_THAT(output_, HasSubstr("Cross-validation"));
+    EXPECT_THAT(output_, HasSubstr("learned: better in"));
+    CsvReader held(at("held.csv"), {"held_out", "condition", "filter", "heading_deg"});
+    std::set<std::string> conditions;
+    while (held.next())
+        conditions.insert(held.text("held_out") + ' ' + held.text("condition") + ' ' +
+                          held.text("filter"));
+    EXPECT_EQ(conditions.count("fold cars car learned"), 1U);
+    EXPECT_EQ(conditions.count("fold street cluster hand_set"), 1U);
+    EXPECT_EQ(conditions.count("test other van learned"), 1U);
+
+    const std::string filter = readTextFile(at("filter.txt"));
+    EXPECT_EQ(run("vdamf-train", command + kFew), 1);
+    EXPECT_THAT(output_, HasSubstr("--overwrite"));
+    fs::remove(at("held.csv"));
+    ASSERT_EQ(run("vdamf-train", command + kFew + " --overwrite"), 0) << output_;
+    EXPECT_EQ(readTextFile(at("filter.txt")), filter);
+
+    make("config.ini", "[measurement]\nfilter_file = filter.txt\n");
+    const std::string track = "-i " + kStreet + "street.rawlog --frames 0:10 -q --overwrite ";
+    ASSERT_EQ(run("vdamf-track", track + "-c config.ini --tracks t.csv"), 0) << output_;
+    make("filter.txt", filter.substr(0, filter.size() / 2));
+    EXPECT_EQ(run("vdamf-track", track + "-c config.ini --tracks u.csv"), 2);
+    EXPECT_THAT(output_, HasSubstr("filter.txt"));
+    EXPECT_THAT(output_, HasSubstr("is the file whole?"));
+    EXPECT_FALSE(fs::exists(at("u.csv")));
+}
+
+TEST_F(TrainFilterApp, RefusesSourcesThatItCannotLearnFrom)
+{
+    make("none.ini", "# nothing\n");
+    EXPECT_EQ(run("vdamf-train", "filter none.ini -o f.txt" + kFew), 2);
+    EXPECT_THAT(output_, HasSubstr("[recording NAME] or [simulated NAME]"));
+    make("kind.ini", "[simulated a]\nkind = submarine\n");
+    EXPECT_EQ(run("vdamf-train", "filter kind.ini -o f.txt" + kFew), 2);
+    EXPECT_THAT(output_, HasSubstr("submarine"));
+    make("test.ini", "[simulated a]\nkind = car\nclusters = 5\nuse = test\n");
+    EXPECT_EQ(run("vdamf-train", "filter test.ini -o f.txt" + kFew), 1);
+    EXPECT_THAT(output_, HasSubstr("all is for testing"));
+    make("few.ini", "[simulated a]\nkind = car\nclusters = 3\n");
+    EXPECT_EQ(run("vdamf-train", "filter few.ini -o f.txt --folds 5" + kFew), 1);
+    EXPECT_THAT(output_, HasSubstr("too few vehicles"));
+    EXPECT_FALSE(fs::exists(at("f.txt")));
+}
+
+}  // namespace
+}  // namespace vdamf
