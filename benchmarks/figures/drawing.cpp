@@ -15,6 +15,7 @@ constexpr double kScale = 34.0;      // pixels a metre
 constexpr double kEndStrip = 0.75;   // m, Table 1
 constexpr double kSideStrip = 0.5;   // m
 constexpr double kMagnified = 10.0;  // of ellipse and sector
+constexpr double kLongest = 2.2;     // m, of an axis of the ellipse as drawn
 
 std::string text(const char* pattern, double a, double b = 0.0, double c = 0.0, double d = 0.0)
 {
@@ -64,7 +65,8 @@ std::string seenEdges(const Measurement& m)
 std::string uncertainty(const Measurement& m)
 {
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(m.covariance.topLeftCorner<2, 2>());
-    const Eigen::Vector2d sigma = kMagnified * axes.eigenvalues().cwiseMax(0.0).cwiseSqrt();
+    const Eigen::Vector2d sigma =
+        kMagnified * axes.eigenvalues().cwiseMax(0.0).cwiseSqrt().cwiseMin(kLongest / kMagnified);
     const double turn = std::min(kPi / 2.0, kMagnified * std::sqrt(m.covariance(2, 2)));
     std::vector<Eigen::Vector2d> ellipse;
     std::vector<Eigen::Vector2d> sector = {m.box.centre()};

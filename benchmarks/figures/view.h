@@ -29,7 +29,7 @@ FigureView viewOf(const LadarFrame& frame, const OrientedBox& box, double ground
 
 /// Fig. 8 and 10 (a) to (d): views from above side by side. The fit is red with its seen edges
 /// filled, the surround dashed blue, the line of sight dashed black; the ellipse and the sector are
-/// ten times the standard deviation of the centre and of the heading.
+/// ten times the standard deviation of the centre (cut at 2.2 m) and of the heading.
 std::string viewsSvg(const std::vector<FigureView>& views, int columns);
 
 /// Fig. 10 (e): hits and box in oblique projection.
