@@ -1,5 +1,7 @@
 # A random street scene for vdamf-simulate, to train the vehicle discriminator on:
-#   awk -v seed=1 -v sensor=HDL-32E -f scripts/random-scene.awk > scene.ini
+#   awk -v seed=1 -v sensor=HDL-32E [-v green=1] -f scripts/random-scene.awk > scene.ini
+# With green=1 what grows together stands together: trunks in hedges, cars under trees, walls with
+# corners, people in groups. Else all stands alone.
 # Vehicles of any size between clutter of any size, in rows along the road. The numbers are from a
 # generator of its own, so that every awk makes the same scene of a seed.
 
@@ -71,6 +73,49 @@ function lane(y, heading, speed,    x, class)
     }
 }
 
+# Clutter of several parts in a row along the road, from x on. Returns where it ends.
+function group(x, y,    kind, l, h, n)
+{
+    kind = oneOf("hedge hedge hedge corner people shelter parked parked")
+    l = between(2, 9)
+    if (kind == "hedge")
+    {
+        h = between(0.3, 1.5)
+        object("bush", l, between(0.6, 2.5), h, x + l / 2, y, between(-6, 6), 0)
+        for (n = 0; n < 1 + 2 * random(); ++n)
+            object("pole", 0.3, 0.3, between(2.5, 6), x + l * random(), y, 0, 0)
+        if (random() < 0.5) object("bush", between(1, 3), 1.2, h + between(0, 1), x, y, 0, 0)
+    }
+    if (kind == "corner")
+    {
+        h = between(0.8, 3.5)
+        object("wall", l, 0.25, h, x + l / 2, y, 0, 0)
+        object("wall", between(1, 5), 0.25, h, x + l * random(), y, 90 + between(-5, 5), 0)
+    }
+    if (kind == "people")
+    {
+        l = 2.5
+        for (n = 0; n < 2 + 4 * random(); ++n)
+            object("pedestrian", 0.5, 0.5, between(1.1, 1.95), x + l * random(),
+                   y + between(-0.9, 0.9), between(0, 360), 0)
+    }
+    if (kind == "shelter")
+    {
+        l = between(3, 5)
+        object("wall", l, 0.1, 2.4, x + l / 2, y + (y < 0 ? -0.7 : 0.7), 0, 0)
+        object("wall", 1.4, 0.1, 2.4, x, y, 90, 0)
+        object("box", between(1, 2), 0.5, 0.5, x + l / 2, y, 0, 0)
+    }
+    if (kind == "parked")
+    {
+        object(vehicle(), sizeL, sizeW, sizeH, x + sizeL / 2, y, between(-4, 4), 0)
+        l = sizeL
+        object("tree", between(3, 5), between(3, 5), between(5, 8), x + l * random(),
+               y + (y < 0 ? -1 : 1) * between(1.3, 2), 0, 0)
+    }
+    return x + l
+}
+
 # Posts in a line, bare or with rails: bollards, fences. Returns where it ends.
 function posts(x, y,    n, gap, height, thick)
 {
@@ -101,6 +146,7 @@ function row(y, vehicles, turn, gap,    x, class, heading, speed)
     for (x = between(-30, -20); x < 95; x += between(0.8, gap))
     {
         if (random() < 0.06) x = posts(x, y) + 1
+        if (green && random() < 0.4) x = group(x, y) + between(0.8, gap)
         class = random() < vehicles ? vehicle() : clutter()
         heading = (random() < 0.5 ? 0 : 180) + between(-turn, turn)
         if (turn > 60) x += sizeW / 2 + sizeL / 4

@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # Trains models/vehicle.txt, the discriminator that the programs have built in:
 #   scripts/train-default-model.sh [--data DIR] [--work DIR] [--model FILE] [OPTIONS of vdamf-train]
-# Simulates scenes (datasets/scenarios and random streets), imports the two KITTI drives from DIR
-# (2011_09_26/2011_09_26_drive_0001_sync and 0005), tracks them all and trains. Scenes that are in
+# Simulates scenes (datasets/scenarios and random streets), imports two KITTI drives
+# (2011_09_26/2011_09_26_drive_0001_sync and 0005) and two sweeps of Argoverse 2
+# (av2_samples/7fab2350) from DIR, tracks them all and trains. Scenes that are in
 # the work folder already are not simulated again.
 set -euo pipefail
 root=$(cd "$(dirname "$0")/.." && pwd)
@@ -69,17 +70,43 @@ for round in $(seq 8); do
     done
 done
 
+number=100
+for round in $(seq 7); do
+    for sensor in HDL-64E HDL-32E VLP-16; do
+        number=$((number + 1))
+        name=green_${number}_$sensor
+        awk -v seed=$number -v sensor=$sensor -v green=1 -f "$root/scripts/random-scene.awk" \
+            > "$work/$name.ini"
+        simulate "$name" "$work/$name.ini"
+        record "$name" "scene = $name"
+    done
+done
+
 if [ -n "$data" ] && [ -d "$data/2011_09_26" ]; then
     for drive in 0001 0005; do
         name=kitti_$drive
         [ -f "$work/$name.csv" ] ||
             "$apps/vdamf-import" kitti-raw "$data/2011_09_26/2011_09_26_drive_${drive}_sync" \
                 -o "$work/$name.rawlog" --truth "$work/$name.csv" --overwrite
-        record "$name" "region_fov_deg = 80" "max_range_m = 60" "weight = 3"
+        record "$name" "region_fov_deg = 70" "max_range_m = 60" "weight = 5"
+        options+=(--leave-out "$name")
     done
 else
     echo "no recorded drives (--data DIR): the model is trained on simulated scenes alone" >&2
 fi
 
-[[ " ${options[*]-} " == *" --cost "* ]] || options+=(--cost 0.03 --cost 0.1)
+log=$data/av2_samples/7fab2350
+if [ -n "$data" ] && [ -d "$log" ]; then
+    [ -f "$work/argoverse_2_16.csv" ] ||
+        VDAMF_APPS=$apps "$root/scripts/argoverse-sweeps.sh" "$log" "$work" argoverse > /dev/null
+    options+=(--leave-out argoverse)
+    for truth in "$work"/argoverse_*_*.csv; do
+        record "$(basename "$truth" .csv)" "scene = argoverse" "max_range_m = 60" "weight = 5"
+    done
+else
+    echo "no Argoverse sweeps ($log)" >&2
+fi
+
+[[ " ${options[*]-} " == *" --cost "* ]] || options+=(--cost 0.05)
+[[ " ${options[*]-} " == *" --frames-per-track "* ]] || options+=(--frames-per-track 12)
 "$apps/vdamf-train" classifier "$list" -o "$model" --overwrite "${options[@]}"

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <iterator>
 #include <sstream>
+#include <stdexcept>
 
 #include "collect.h"
 #include "pictures.h"
@@ -80,6 +81,7 @@ std::vector<std::string> recordOf(const ClassifierJob& job, const Training& trai
     tell("single frames", quality.frames);
     tell("single frames with 50 hits or more", quality.clearFrames);
     tell("tracks at each frame", quality.tracks);
+    tell("tracks at each frame with 50 hits or more", quality.clearTracks);
     tell("tracks at their end", quality.tracksAtEnd);
     return record;
 }
@@ -95,6 +97,29 @@ void tellTests(const ClassifierJob& job, const std::vector<HeldOutFrame>& frames
         std::printf("\nTest on %s, which was not trained on\n%s", job.recordings[i].name.c_str(),
                     qualityText(qualityOf(ofThis, {})).c_str());
     }
+}
+
+bool isCalled(const Recording& recording, const std::string& name)
+{
+    return recording.name == name || recording.options.scene == name;
+}
+
+/// How well a model does on a recording, or on all of a scene, that it knows nothing of.
+void tellLeftOut(const ClassifierJob& job, const Tracks& all, const std::string& name, double cost)
+{
+    Tracks without;
+    Tracks leftOut;
+    for (const TrackSamples& track : all)
+    {
+        const bool isIt = isCalled(job.recordings[track.recording], name);
+        (isIt ? leftOut : without).push_back(track);
+    }
+    TrainingOptions options = job.training;
+    options.costs = {cost};
+    const Training training =
+        trainClassifier(without, job.grid, options, [](const std::string&) {});
+    std::printf("\nTrained without %s, tested on it\n%s", name.c_str(),
+                qualityText(qualityOf(judge(training.model, leftOut), {})).c_str());
 }
 
 /// Of held-out frames: which objects fool the discriminator.
@@ -125,6 +150,19 @@ void write(const ClassifierJob& job, const std::filesystem::path& path, const st
 }
 }  // namespace
 
+void checkLeaveOut(const ClassifierJob& job)
+{
+    for (const std::string& name : job.leaveOut)
+    {
+        const auto isIt = [&](const Recording& r)
+        { return r.options.use == RecordingUse::Train && isCalled(r, name); };
+        if (std::none_of(job.recordings.begin(), job.recordings.end(), isIt))
+            throw std::runtime_error(
+                "--leave-out " + name +
+                ": no recording to train on, and no scene of one, has that name");
+    }
+}
+
 void trainClassifier(const ClassifierJob& job, const std::atomic<bool>& stop)
 {
     const auto existing =
@@ -144,6 +182,8 @@ void trainClassifier(const ClassifierJob& job, const std::atomic<bool>& stop)
     if (!tested.empty()) tellTests(job, tested);
     file.write(toText(training.model));
     file.commit();
+    for (const std::string& name : job.leaveOut)
+        tellLeftOut(job, collection.train, name, training.cost);
     if (!job.heldOut.empty())
     {
         std::vector<HeldOutFrame> all = training.heldOut;

@@ -19,13 +19,17 @@ struct ClassifierJob
     Configuration configuration;
     TrainingOptions training;
     DiscriminationGrid grid;
-    std::filesystem::path model;    ///< to write
-    std::filesystem::path plots;    ///< folder to write; empty: none
-    std::filesystem::path heldOut;  ///< table to write; empty: none
+    std::filesystem::path model;        ///< to write
+    std::filesystem::path plots;        ///< folder to write; empty: none
+    std::filesystem::path heldOut;      ///< table to write; empty: none
+    std::vector<std::string> leaveOut;  ///< recordings or scenes to train without once, and test on
     bool overwrite = false;
     bool quiet = false;
     std::string version;
 };
+
+/// Throws std::runtime_error for a name to leave out that no recording to train on has.
+void checkLeaveOut(const ClassifierJob& job);
 
 /// Runs the job and prints what came out. Throws std::runtime_error.
 void trainClassifier(const ClassifierJob& job, const std::atomic<bool>& stop);

@@ -48,6 +48,10 @@ void declareClassifier(CLI::App& app, CommandLine& line)
     app.add_option("--plots", line.job.plots, "folder for pictures (SVG)");
     app.add_option("--held-out", line.job.heldOut,
                    "table of the held-out frames with their probabilities to write (CSV)");
+    app.add_option("--leave-out", line.job.leaveOut,
+                   "recording or scene: told is also how a model trained without it does there "
+                   "(repeatable)")
+        ->allow_extra_args(false);
     app.add_option("-c,--config", line.config, "configuration of the tracker (ini)");
     app.add_option("--set", line.set, "section.key=value over the recordings (repeatable)")
         ->allow_extra_args(false);
@@ -97,6 +101,7 @@ void prepare(CommandLine& line)
     line.job.recordings = vdamf::readRecordings(document);
     if (!line.config.empty())
         line.job.configuration = vdamf::readConfiguration(vdamf::IniDocument::load(line.config));
+    vdamf::checkLeaveOut(line.job);
     line.job.version = VDAMF_VERSION;
     std::vector<vdamf::NamedInput> inputs = {{line.recordings, "the list of recordings"},
                                              {line.config, "the configuration"}};

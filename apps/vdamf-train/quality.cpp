@@ -127,6 +127,8 @@ QualityReport qualityOf(const std::vector<HeldOutFrame>& frames, const RocOption
     report.clearFrames =
         qualityOf(samplesOf(frames, &HeldOutFrame::frameProbability, isClear), options);
     report.tracks = qualityOf(samplesOf(frames, &HeldOutFrame::trackProbability, all), options);
+    report.clearTracks =
+        qualityOf(samplesOf(frames, &HeldOutFrame::trackProbability, isClear), options);
     report.tracksAtEnd =
         qualityOf(samplesOf(frames, &HeldOutFrame::trackProbability, isLast), options);
     report.byRange = groupsOf(
@@ -144,6 +146,7 @@ std::string qualityText(const QualityReport& report)
     tell(out, "single frames", report.frames);
     tell(out, "single frames with 50 hits or more", report.clearFrames);
     tell(out, "tracks, at each frame", report.tracks);
+    tell(out, "tracks, at each frame with 50 hits or more", report.clearTracks);
     tell(out, "tracks, at their end", report.tracksAtEnd);
     out << "  equal error rate of single frames\n";
     tell(out, report.byRange);

@@ -24,6 +24,7 @@ struct QualityReport
     Quality frames;       ///< by single frames
     Quality clearFrames;  ///< with 50 hits or more
     Quality tracks;       ///< by a track's frames so far, at each of them
+    Quality clearTracks;  ///< the same, at frames with 50 hits or more
     Quality tracksAtEnd;  ///< by all frames of a track, once a track
     struct Group
     {

@@ -52,7 +52,7 @@ struct RecordingOptions
         field(self.maxRange, "max_range_m", 0.0, 1e4, "labelled range; 0: all");
         field(self.minPoints, "min_points", 0, 1000000, "vehicles with fewer hits are left out");
         field(self.weight, "weight", 1, 1000,
-              "how many times its frames count in training; calibration and results count once");
+              "how many times its frames count in training and calibration; results count once");
     }
 };
 

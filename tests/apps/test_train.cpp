@@ -42,6 +42,17 @@ protected:
     std::string output_;
 };
 
+TEST_F(Train, TellsHowAModelWithoutARecordingDoesThere)
+{
+    makeList("[recording again]\nrawlog = " + kStreet + "street.rawlog\ntruth = " + kStreet +
+             "truth.csv\nscene = elsewhere\n");
+    const std::string command = "classifier list.ini --folds 3 --cost 0.1 -q -o vehicle.txt ";
+    ASSERT_EQ(run("vdamf-train", command + "--leave-out elsewhere"), 0) << output_;
+    EXPECT_THAT(output_, HasSubstr("Trained without elsewhere, tested on it"));
+    EXPECT_EQ(run("vdamf-train", command + "--leave-out nowhere"), 2);
+    EXPECT_THAT(output_, HasSubstr("--leave-out nowhere: no recording"));
+}
+
 TEST_F(Train, MakesAModelThatVdamfTrackTakes)
 {
     makeList();

@@ -211,6 +211,75 @@ TEST(Labels, AreUnknownWhereTheTruthSaysNothingOfTheTime)
     EXPECT_EQ(scene.labelOf(2), ObjectLabel::Clutter);
 }
 
+// A drive whose sector of 90 degrees ahead is labelled: the sensor moves on along x.
+struct Drive
+{
+    std::vector<TruthRow> truth;
+    std::vector<TrackRow> tracks;
+
+    void frame(double time, double sensorX)
+    {
+        TruthRow row;
+        row.time = time;
+        row.objectId = "car";
+        row.objectClass = "Car";
+        row.box = {200.0, 0.0, 0.0, 4.4, 1.8};
+        row.points = 100;
+        row.sensor = PlanePose{sensorX, 0.0, 0.0};
+        truth.push_back(row);
+    }
+    void track(std::uint64_t id, double time, double x, double y)
+    {
+        TrackRow row;
+        row.time = time;
+        row.report.id = id;
+        row.report.status = TrackStatus::Confirmed;
+        row.report.box = {x, y, 0.0, 4.4, 1.8};
+        tracks.push_back(row);
+    }
+    ObjectLabel labelOf(std::uint64_t id, double time) const
+    {
+        ScoringOptions options;
+        options.minPoints = 10;
+        options.regionFov = kPi / 2.0;
+        for (const LabelledRow& row : labelTracks(truth, tracks, options))
+            if (row.track == id && row.time == time) return row.label;
+        return ObjectLabel::Unknown;
+    }
+};
+
+TEST(Labels, StayWithWhatStandsBehindTheLabelledSector)
+{
+    Drive drive;
+    drive.frame(1.0, 0.0);
+    drive.frame(2.0, 30.0);
+    drive.track(1, 1.0, 20.0, 5.0);  // a hedge that stays behind
+    drive.track(1, 2.0, 20.2, 5.0);
+    drive.track(2, 1.0, 20.0, -5.0);  // what moves may be something else by now
+    drive.track(2, 2.0, 26.0, -5.0);
+    drive.track(3, 2.0, 10.0, 8.0);  // never in the sector
+    EXPECT_EQ(drive.labelOf(1, 1.0), ObjectLabel::Clutter);
+    EXPECT_EQ(drive.labelOf(1, 2.0), ObjectLabel::Clutter);
+    EXPECT_EQ(drive.labelOf(2, 1.0), ObjectLabel::Clutter);
+    EXPECT_EQ(drive.labelOf(2, 2.0), ObjectLabel::Unknown);
+    EXPECT_EQ(drive.labelOf(3, 2.0), ObjectLabel::Unknown);
+}
+
+TEST(Labels, OfVehiclesHoldOutsideOfTheSectorAndWhereTheyAreNotLabelledAnyMore)
+{
+    Drive drive;
+    drive.frame(1.0, 0.0);
+    drive.truth[0].box = {-10.0, 3.0, 0.0, 4.4, 1.8};  // labelled although it is behind
+    drive.track(1, 1.0, -10.0, 3.0);
+    drive.frame(2.0, 0.0);
+    drive.track(1, 2.0, -10.1, 3.0);  // not labelled: still the same
+    drive.track(2, 1.0, -10.0, 3.0);
+    drive.track(2, 2.0, 30.0, 3.0);  // in the sector, but it was a vehicle before
+    EXPECT_EQ(drive.labelOf(1, 1.0), ObjectLabel::Vehicle);
+    EXPECT_EQ(drive.labelOf(1, 2.0), ObjectLabel::Vehicle);
+    EXPECT_EQ(drive.labelOf(2, 2.0), ObjectLabel::Unknown);
+}
+
 TEST(Samples, OfOneObjectShareAGroup)
 {
     std::vector<ObjectSample> samples;

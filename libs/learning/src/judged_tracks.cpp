@@ -33,8 +33,9 @@ Calibrations calibrate(const std::vector<TrackSamples>& tracks, const Scores& sc
         for (std::size_t k = 0; k < tracks[i].frames.size(); ++k)
         {
             const ObjectSample& s = tracks[i].frames[k];
-            if (s.label != ObjectLabel::Unknown)
-                samples.push_back({scores[i][k], s.hits, s.label == ObjectLabel::Vehicle});
+            if (s.label == ObjectLabel::Unknown) continue;
+            samples.insert(samples.end(), static_cast<std::size_t>(tracks[i].weight),
+                           {scores[i][k], s.hits, s.label == ObjectLabel::Vehicle});
         }
     }
     Calibrations result;
@@ -42,7 +43,8 @@ Calibrations calibrate(const std::vector<TrackSamples>& tracks, const Scores& sc
     std::vector<std::vector<JudgedFrame>> judged;
     for (std::size_t i = 0; i < tracks.size(); ++i)
         if (foldOf[i] != without)
-            judged.push_back(judgedFrames(tracks[i], scores[i], result.frame));
+            judged.insert(judged.end(), static_cast<std::size_t>(tracks[i].weight),
+                          judgedFrames(tracks[i], scores[i], result.frame));
     result.track = calibrateTracks(judged, result.frame.prior);
     return result;
 }

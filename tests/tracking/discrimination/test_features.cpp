@@ -143,7 +143,7 @@ TEST(Features, OfCellsAreTheRootOfTheSharesOfTheHits)
     EXPECT_NEAR(sum, 1.0, 1e-4);
 }
 
-TEST(Features, OfDescriptorsShareOneBetweenTheirKnots)
+TEST(Features, OfPairsOfDescriptorsShareTheSameBetweenTheirKnots)
 {
     Scene scene = sceneAt(1.0, 2.0, 0.3, kBehindLeft);
     const std::vector<float> features = featuresOf(scene);
@@ -160,7 +160,8 @@ TEST(Features, OfDescriptorsShareOneBetweenTheirKnots)
             EXPECT_GE(features[block.first + i], 0.0F);
             sum += static_cast<double>(features[block.first + i]);
         }
-        EXPECT_NEAR(sum, block.name == "flat_size" ? 0.0 : 1.0, 1e-5) << block.name;
+        const bool isOfPlanarScans = block.name.rfind("flat_", 0) == 0;
+        EXPECT_NEAR(sum, isOfPlanarScans ? 0.0 : 0.5, 1e-5) << block.name;
     }
     EXPECT_EQ(next, features.size());
     EXPECT_EQ(next, featureCount(DiscriminationGrid{}));
@@ -173,6 +174,40 @@ TEST(Features, OfPlanarScansKnowNoHeights)
     const std::vector<float> features = featuresOf(scene);
     std::fill(scene.cluster.height.begin(), scene.cluster.height.end(), 0.6F);
     EXPECT_EQ(featuresOf(scene), features);
+    for (const FeatureBlock& block : featureBlocks(DiscriminationGrid{}))
+    {
+        const float* const first = features.data() + block.first;
+        const bool isUsed =
+            std::any_of(first, first + block.size, [](float f) { return f > 0.0F; });
+        EXPECT_EQ(isUsed, block.name.rfind("flat_", 0) == 0) << block.name;
+    }
+}
+
+TEST(Features, TellHowHighMostHitsLieApartFromTheHighestOne)
+{
+    Scene car = sceneAt(0.0, 0.0, 0.0, kBehindLeft);
+    for (std::size_t i = 0; i < car.cluster.size(); i += 12) car.cluster.height[i] = 1.44F;
+    Scene hedge = car;
+    for (std::size_t i = 0; i < hedge.cluster.size(); ++i)
+        if (i % 12 != 0) hedge.cluster.height[i] *= 0.4F;
+    const std::vector<float> a = featuresOf(car);
+    const std::vector<float> b = featuresOf(hedge);
+    const auto differenceOf = [&](const std::string& name)
+    {
+        for (const FeatureBlock& block : featureBlocks(DiscriminationGrid{}))
+        {
+            if (block.name != name) continue;
+            double sum = 0.0;
+            for (std::size_t i = 0; i < block.size; ++i)
+                sum += std::abs(static_cast<double>(a[block.first + i] - b[block.first + i]));
+            return sum;
+        }
+        ADD_FAILURE() << "no block " << name;
+        return 0.0;
+    };
+    EXPECT_LT(differenceOf("length_top"), 0.2);
+    EXPECT_GT(differenceOf("length_shoulder"), 0.4);
+    EXPECT_GT(differenceOf("length_middle"), 0.4);
 }
 
 TEST(Features, OfFewerHitsOfTheSameSurfaceAreAlike)

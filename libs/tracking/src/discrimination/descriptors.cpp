@@ -10,36 +10,89 @@ namespace vdamf
 {
 namespace
 {
-struct Interval
+/// How some numbers are spread, by counting in cells, which costs less than sorting.
+class Spread
 {
-    double low = 0.0;
-    double high = 0.0;
+public:
+    explicit Spread(const std::vector<float>& values) : size_(values.size())
+    {
+        const auto [min, max] = std::minmax_element(values.begin(), values.end());
+        min_ = *min;
+        max_ = *max;
+        width_ = (max_ - min_) / static_cast<float>(kCells - 1);
+        // Else they are all but equal, or so far apart that cells overflow.
+        isCounted_ = width_ > 1e-6F && width_ < 1e6F;
+        if (!isCounted_) return;
+        const float perMetre = 1.0F / width_;
+        for (const float v : values)
+        {
+            const auto cell = static_cast<std::size_t>((v - min_) * perMetre);
+            ++counts_[std::min(kCells - 1, cell)];
+        }
+    }
+
+    /// Lower edge of the cell with the value that this share of the others is below.
+    double above(double share) const
+    {
+        if (!isCounted_) return min_;
+        const auto beyond = static_cast<std::size_t>(share * static_cast<double>(size_));
+        std::size_t cell = 0;
+        for (std::size_t n = counts_[0]; n <= beyond; n += counts_[cell]) ++cell;
+        return min_ + width_ * static_cast<float>(cell);
+    }
+
+    /// Upper edge of the cell with the value that this share of the others is above.
+    double below(double share) const
+    {
+        if (!isCounted_) return max_;
+        const auto beyond = static_cast<std::size_t>(share * static_cast<double>(size_));
+        std::size_t cell = kCells - 1;
+        for (std::size_t n = counts_[cell]; n <= beyond; n += counts_[cell]) --cell;
+        return std::min(max_, min_ + width_ * static_cast<float>(cell + 1));
+    }
+
+private:
+    static constexpr std::size_t kCells = 512;
+    std::array<std::uint16_t, kCells> counts_{};
+    std::size_t size_;
+    float min_ = 0.0F;
+    float max_ = 0.0F;
+    float width_ = 0.0F;
+    bool isCounted_ = false;
 };
 
-/// Where the values lie but for 2 % at either end: by counting in cells, which costs less than
-/// sorting.
-Interval bulkOf(const std::vector<float>& values)
+/// Mean distance of the lowest and the highest hit over half a metre square.
+double columnsOf(const CanonicalHits& hits)
 {
-    constexpr std::size_t kCells = 512;
-    const auto [min, max] = std::minmax_element(values.begin(), values.end());
-    const float width = (*max - *min) / static_cast<float>(kCells - 1);
-    // Also where they are all but equal, or so far apart that cells overflow.
-    if (!(width > 1e-6F && width < 1e6F)) return {*min, *max};
-    std::array<std::uint16_t, kCells> counts{};
-    const float perMetre = 1.0F / width;
-    const float begin = *min;
-    for (const float v : values)
+    constexpr float kPerMetre = 2.0F;
+    constexpr float kBefore = 2.25F;  // m, so that the near faces lie in the middle of squares
+    constexpr std::size_t kAlong = 48;
+    constexpr std::size_t kAcross = 16;
+    constexpr float kNone = 1e9F;
+    std::array<float, kAlong * kAcross> low;
+    std::array<float, kAlong * kAcross> high;
+    low.fill(kNone);
+    high.fill(-kNone);
+    const auto cellOf = [](float value, std::size_t cells)
     {
-        const auto cell = static_cast<std::size_t>((v - begin) * perMetre);
-        ++counts[std::min(kCells - 1, cell)];
+        return static_cast<std::size_t>(
+            std::clamp((value + kBefore) * kPerMetre, 0.0F, static_cast<float>(cells - 1)));
+    };
+    for (std::size_t i = 0; i < hits.size(); ++i)
+    {
+        const std::size_t cell = cellOf(hits.x[i], kAlong) * kAcross + cellOf(hits.y[i], kAcross);
+        low[cell] = std::min(low[cell], hits.z[i]);
+        high[cell] = std::max(high[cell], hits.z[i]);
     }
-    const auto beyond = static_cast<std::size_t>(0.02 * static_cast<double>(values.size()));
-    std::size_t first = 0;
-    for (std::size_t n = counts[0]; n <= beyond; n += counts[first]) ++first;
-    std::size_t last = kCells - 1;
-    for (std::size_t n = counts[last]; n <= beyond; n += counts[last]) --last;
-    return {*min + width * static_cast<float>(first),
-            std::min(*max, *min + width * static_cast<float>(last + 1))};
+    double sum = 0.0;
+    double columns = 0.0;
+    for (std::size_t cell = 0; cell < low.size(); ++cell)
+    {
+        if (high[cell] < low[cell]) continue;
+        sum += static_cast<double>(high[cell] - low[cell]);
+        columns += 1.0;
+    }
+    return sum / std::max(1.0, columns);
 }
 
 /// Mean and scatter of some numbers.
@@ -133,34 +186,46 @@ double densityOf(const Descriptors& d, const CanonicalHits& hits, const ObjectVi
     const double expected = static_cast<double>(view.frameHits) * share;
     return std::log2(static_cast<double>(hits.count) / std::max(1e-3, expected));
 }
+
+/// Shares of the hits that are before, behind and above what the box and cars hold.
+void countOutside(Descriptors& d, const CanonicalHits& hits, const OrientedBox& box)
+{
+    constexpr float kBefore = -0.15F;   // m
+    constexpr double kBehind = 0.3;     // m
+    constexpr float kAboveCars = 2.0F;  // m
+    const auto farX = static_cast<float>(box.length + kBehind);
+    const auto farY = static_cast<float>(box.width + kBehind);
+    const double share = 1.0 / static_cast<double>(hits.size());
+    for (std::size_t i = 0; i < hits.size(); ++i)
+    {
+        d.outside += hits.x[i] < kBefore || hits.y[i] < kBefore ? share : 0.0;
+        d.beyond += hits.x[i] > farX || hits.y[i] > farY ? share : 0.0;
+        d.high += hits.z[i] > kAboveCars ? share : 0.0;
+    }
+}
 }  // namespace
 
 Descriptors describe(const CanonicalHits& hits, const ObjectView& view)
 {
-    constexpr float kBefore = -0.15F;  // m
-    const Interval x = bulkOf(hits.x);
-    const Interval y = bulkOf(hits.y);
-    const Interval z = bulkOf(hits.z);
+    constexpr double kEnd = 0.02;  // share of the hits at either end that do not count
+    const Spread x(hits.x);
+    const Spread y(hits.y);
+    const Spread z(hits.z);
     Descriptors d;
-    d.length = x.high - x.low;
-    d.width = y.high - y.low;
-    d.top = z.high;
-    d.bottom = z.low;
-    constexpr float kAboveCars = 2.0F;  // m
-    double before = 0.0;
-    double high = 0.0;
-    for (std::size_t i = 0; i < hits.size(); ++i)
-    {
-        before += hits.x[i] < kBefore || hits.y[i] < kBefore ? 1.0 : 0.0;
-        high += hits.z[i] > kAboveCars ? 1.0 : 0.0;
-    }
-    d.outside = before / static_cast<double>(hits.size());
-    d.high = high / static_cast<double>(hits.size());
+    d.length = x.below(kEnd) - x.above(kEnd);
+    d.width = y.below(kEnd) - y.above(kEnd);
+    d.top = z.below(kEnd);
+    d.bottom = z.above(kEnd);
+    d.shoulder = z.above(0.85);
+    d.middle = z.above(0.5);
+    d.columns = columnsOf(hits);
+    countOutside(d, hits, view.box);
     const Silhouette silhouette = silhouetteOf(hits);
     d.breadth = silhouette.breadth;
     d.coverage = silhouette.coverage;
     d.density = densityOf(d, hits, view);
     d.bearing = std::atan2(std::abs(hits.sensor.y()), std::abs(hits.sensor.x()));
+    d.match = view.match;
     d.low = lowHitsOf(hits, view.planar);
     return d;
 }

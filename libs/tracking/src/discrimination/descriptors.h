@@ -12,13 +12,18 @@ namespace vdamf
 /// faces. Extents are without the 2 % of the hits at either end.
 struct Descriptors
 {
-    double length = 0.0;   ///< extent of the hits along x, m
-    double width = 0.0;    ///< extent of the hits along y, m
-    double top = 0.0;      ///< above the ground, m
-    double bottom = 0.0;   ///< above the ground, m
-    double outside = 0.0;  ///< share of the hits before the two near faces
-    double density = 0.0;  ///< log2 of the hits per those that a closed surface would have
-    double bearing = 0.0;  ///< of the sensor from the end's direction, 0 to pi / 2, rad
+    double length = 0.0;    ///< extent of the hits along x, m
+    double width = 0.0;     ///< extent of the hits along y, m
+    double top = 0.0;       ///< above the ground, m
+    double bottom = 0.0;    ///< above the ground, m
+    double shoulder = 0.0;  ///< height below which 85 % of the hits lie, m
+    double middle = 0.0;    ///< median height of the hits, m
+    double columns = 0.0;   ///< mean height from the lowest to the highest hit at a place, m
+    double outside = 0.0;   ///< share of the hits before the two near faces
+    double beyond = 0.0;    ///< share of the hits behind the two far faces
+    double match = 0.0;     ///< response of the fit per hit, 1/m
+    double density = 0.0;   ///< log2 of the hits per those that a closed surface would have
+    double bearing = 0.0;   ///< of the sensor from the end's direction, 0 to pi / 2, rad
     /// As the sensor sees it: extent across the line of sight (m), and the share of it that hits
     /// cover: posts in a line are no closed surface.
     double breadth = 0.0;

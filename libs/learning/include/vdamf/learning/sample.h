@@ -46,7 +46,7 @@ struct TrackSamples
     std::string group;
     std::size_t recording = 0;
     std::vector<ObjectSample> frames;
-    int weight = 1;  ///< times that its frames count in training
+    int weight = 1;  ///< times that its frames count in training and calibration
 };
 
 /// Tracks by rising number, their frames by time, from samples in any order. Their group is

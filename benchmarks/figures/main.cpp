@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Figures 8 to 10 of the paper from simulated recordings with truth.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <optional>
+
+#include "figures/scene.h"
+#include "figures/view.h"
+#include "vdamf/files/numbers.h"
+#include "vdamf/files/output_file.h"
+#include "vdamf/rawlog/track_rawlog.h"
+
+namespace vdamf
+{
+namespace
+{
+struct Job
+{
+    std::filesystem::path rawlog;
+    std::filesystem::path truth;
+    std::string target;
+    std::filesystem::path folder;
+    bool isCircle = false;
+};
+
+struct Seen
+{
+    LadarFrame frame;
+    FrameResult result;
+};
+
+std::vector<Seen> framesOf(const Job& job, int count)
+{
+    TrackRawlogJob tracking;
+    tracking.input = job.rawlog;
+    const std::atomic<bool> stop{false};
+    std::vector<Seen> all;
+    trackRawlog(tracking, stop,
+                [&](const LadarFrame& frame, const FrameResult& result, double) {
+                    all.push_back({frame, result});
+                });
+    std::vector<Seen> chosen;
+    for (std::size_t k = 0; k < static_cast<std::size_t>(count) && !all.empty(); ++k)
+        chosen.push_back(all[(2 * k + 1) * all.size() / (2 * static_cast<std::size_t>(count))]);
+    return chosen;
+}
+
+std::optional<TruthRow> objectAt(const std::vector<TruthRow>& truth, const std::string& id,
+                                 double time)
+{
+    for (const TruthRow& row : truth)
+        if (row.objectId == id && std::abs(row.time - time) < 1e-3) return row;
+    return std::nullopt;
+}
+
+void write(const std::filesystem::path& path, const std::string& svg)
+{
+    OutputFile file(path, OutputFile::Existing::Overwrite, OutputFile::Unfinished::Discard);
+    file.write(svg);
+    file.commit();
+    std::printf("%s\n", path.c_str());
+}
+
+std::vector<FigureView> targetViews(const Job& job, const std::vector<TruthRow>& truth,
+                                    const std::vector<Seen>& frames)
+{
+    std::vector<FigureView> views;
+    for (const Seen& seen : frames)
+        if (const auto object = objectAt(truth, job.target, seen.frame.time))
+            views.push_back(
+                viewOf(seen.frame, *object,
+                       toFixedText(seen.frame.time - frames.front().frame.time, 1) + " s"));
+    return views;
+}
+
+/// The track with most hits that is called clutter, as it is fitted.
+std::optional<FigureView> clutterView(const Seen& seen, double groundZ)
+{
+    const TrackReport* most = nullptr;
+    for (const TrackReport& track : seen.result.tracks)
+        if (!track.isVehicle.value_or(true) && track.box.length > 1.5 &&
+            (most == nullptr || track.points > most->points))
+            most = &track;
+    if (most == nullptr) return std::nullopt;
+    return viewOf(seen.frame, most->box, groundZ, "clutter");
+}
+
+void drawWoods(const Job& job, const std::vector<TruthRow>& truth)
+{
+    const std::vector<Seen> frames = framesOf(job, 5);
+    std::vector<FigureView> views = targetViews(job, truth, {frames.begin() + 1, frames.end() - 1});
+    if (views.empty()) throw std::runtime_error("the truth has no object " + job.target);
+    const Seen& middle = frames[frames.size() / 2];
+    const double groundZ = objectAt(truth, job.target, middle.frame.time).value().z;
+    write(job.folder / "fig09_scene.svg", sceneSvg(middle.frame, middle.result, groundZ));
+    FigureView oblique = views.back();
+    oblique.caption.clear();
+    write(job.folder / "fig10e_hits.svg", obliqueSvg(oblique));
+    if (const auto clutter = clutterView(middle, groundZ)) views.push_back(*clutter);
+    write(job.folder / "fig10_fits.svg", viewsSvg(views, 4));
+}
+
+void draw(const Job& job)
+{
+    const std::vector<TruthRow> truth = readTruth(job.truth);
+    if (!job.isCircle) return drawWoods(job, truth);
+    const std::vector<FigureView> views = targetViews(job, truth, framesOf(job, 12));
+    if (views.empty()) throw std::runtime_error("the truth has no object " + job.target);
+    write(job.folder / "fig08_circle.svg", viewsSvg(views, 4));
+}
+}  // namespace
+}  // namespace vdamf
+
+int main(int argc, char** argv)
+{
+    CLI::App app("Draws figures 8 to 10 of the paper; run by scripts/paper-figures.sh.");
+    vdamf::Job job;
+    app.add_option("-i,--input", job.rawlog, "rawlog")->required();
+    app.add_option("--truth", job.truth, "its truth.csv")->required();
+    app.add_option("--target", job.target, "object of the truth to look at")->required();
+    app.add_option("-o,--output", job.folder, "folder of the pictures")->required();
+    app.add_flag("--circle", job.isCircle, "Fig. 8; else Fig. 9 and 10");
+    CLI11_PARSE(app, argc, argv);
+    try
+    {
+        vdamf::draw(job);
+        return 0;
+    }
+    catch (const std::exception& error)
+    {
+        std::fprintf(stderr, "vdamf_paper_figures: %s\n", error.what());
+        return 1;
+    }
+}

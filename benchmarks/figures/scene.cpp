@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "figures/scene.h"
+
+#include <array>
+#include <cstdio>
+#include <set>
+
+namespace vdamf
+{
+namespace
+{
+constexpr double kScale = 14.0;   // pixels a metre
+constexpr double kAhead = 62.0;   // m shown in front of the sensor
+constexpr double kBehind = 8.0;   // m
+constexpr double kAside = 22.0;   // m
+constexpr double kGround = 0.25;  // m, what lies below is not drawn
+
+std::string text(const char* pattern, double a, double b = 0.0, double c = 0.0, double d = 0.0)
+{
+    std::array<char, 256> buffer{};
+    std::snprintf(buffer.data(), buffer.size(), pattern, a, b, c, d);
+    return buffer.data();
+}
+
+Eigen::Vector2d pixel(const Eigen::Vector2d& fromSensor)
+{
+    return {kScale * (fromSensor.x() + kBehind), kScale * (kAside - fromSensor.y())};
+}
+
+bool isShown(const Eigen::Vector2d& at)
+{
+    return at.x() > -kBehind && at.x() < kAhead && std::abs(at.y()) < kAside;
+}
+
+std::string boxSvg(const OrientedBox& box, const Eigen::Vector2d& sensor, const std::string& colour)
+{
+    std::string svg = "<polygon points=\"";
+    for (const Eigen::Vector2d& corner : corners(box))
+        svg += text("%.1f,%.1f ", pixel(corner - sensor).x(), pixel(corner - sensor).y());
+    svg += "\" fill=\"" + colour + "\" fill-opacity=\"0.12\" stroke=\"" + colour +
+           "\" stroke-width=\"2\"/>\n";
+    const Eigen::Vector2d at = pixel(box.centre() - sensor);
+    const Eigen::Vector2d here = pixel(Eigen::Vector2d::Zero());
+    return svg + text("<path d=\"M%.1f %.1fL%.1f %.1f\"", here.x(), here.y(), at.x(), at.y()) +
+           " stroke=\"" + colour + "\" stroke-opacity=\"0.5\" stroke-dasharray=\"4 5\"/>\n";
+}
+}  // namespace
+
+std::string sceneSvg(const LadarFrame& frame, const FrameResult& result, double groundZ)
+{
+    const Eigen::Vector2d sensor = frame.sensor.head<2>();
+    std::string svg = text(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%.0f\" "
+        "height=\"%.0f\" font-family=\"sans-serif\" font-size=\"12\">\n",
+        kScale * (kAhead + kBehind), 2.0 * kScale * kAside);
+    svg +=
+        "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n<path stroke=\"#555\" "
+        "stroke-width=\"1.5\" stroke-linecap=\"round\" d=\"";
+    std::set<std::pair<long, long>> dots;
+    for (std::size_t i = 0; i < frame.points.size(); ++i)
+    {
+        const Eigen::Vector3d world =
+            frame.origin +
+            Eigen::Vector3f(frame.points.x[i], frame.points.y[i], frame.points.z[i]).cast<double>();
+        const Eigen::Vector2d at = world.head<2>() - sensor;
+        if (world.z() - groundZ < kGround || !isShown(at)) continue;
+        dots.emplace(std::lround(pixel(at).x()), std::lround(pixel(at).y()));
+    }
+    for (const auto& [x, y] : dots)
+        svg.append("M")
+            .append(std::to_string(x))
+            .append(" ")
+            .append(std::to_string(y))
+            .append("h0");
+    svg += "\"/>\n";
+    for (const TrackReport& track : result.tracks)
+    {
+        if (track.status != TrackStatus::Confirmed || !isShown(track.box.centre() - sensor))
+            continue;
+        svg += boxSvg(track.box, sensor, track.isVehicle.value_or(false) ? "#d11" : "#2a2");
+        const Eigen::Vector2d at = pixel(track.box.centre() - sensor);
+        svg += text("<text x=\"%.0f\" y=\"%.0f\">%.2f</text>\n", at.x() + 6.0, at.y() - 12.0,
+                    track.vehicleProbability.value_or(0.0));
+    }
+    svg += boxSvg({sensor.x() - 0.8, sensor.y(), 0.0, 4.4, 1.8}, sensor, "#24c");
+    return svg + "</svg>\n";
+}
+
+}  // namespace vdamf
