@@ -2,6 +2,7 @@
 // A tracked object between frames.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <optional>
@@ -58,10 +59,14 @@ struct Track
         return rotation(state.mean(kHeading)) *
                Eigen::Vector2d(state.mean(kSpeed), state.mean(kAxis) * state.yawRate());
     }
+    /// Of the centre along each axis, about, m. Beyond the greatest one what is there is no likelier
+    /// this target than a new one.
     double positionSigma() const
     {
+        constexpr double kGreatest = 2.0;  // m
         const auto position = state.covariance.topLeftCorner<2, 2>();
-        return std::sqrt(0.5 * (position.trace() + lastingError.topLeftCorner<2, 2>().trace()));
+        const double both = position.trace() + lastingError.topLeftCorner<2, 2>().trace();
+        return std::min(kGreatest, std::sqrt(0.5 * both));
     }
     double lengthSigma() const { return std::sqrt(state.covariance(kLength, kLength)); }
     double widthSigma() const { return std::sqrt(state.widthVariance); }
