@@ -8,7 +8,7 @@ namespace vdamf
 namespace
 {
 constexpr double kBeyond = 0.6;      // m past an end, where the ray goes that would see more
-constexpr double kNearer = 0.7;      // m by which a blocking hit lies before the target
+constexpr double kFree = 0.4;        // m by which that ray goes on where nothing is in its way
 constexpr double kBeamStep = 0.004;  // rad between hits, about, of spinning LADARs
 constexpr double kWidestStep = 0.7;  // m between hits of a row whose end can be told
 
@@ -36,8 +36,10 @@ FaceSet hiddenEnds(const OrientedBox& box, FaceSet seen, const Eigen::Vector2d& 
             const Eigen::Vector2d inWorld = r * ray;
             const double range = ray.norm();
             const double grazing = std::abs(ray(1 - axis)) / range;  // sine
-            const bool blocked = profile.at(std::atan2(inWorld.y(), inWorld.x())) < range - kNearer;
-            if (blocked || kBeamStep * range > kWidestStep * grazing) hidden.add(kEnd[axis][side]);
+            // What it hits may hide the rest of the face, or be the rest of it.
+            const double reached = profile.at(std::atan2(inWorld.y(), inWorld.x()));
+            if (reached < range + kFree || kBeamStep * range > kWidestStep * grazing)
+                hidden.add(kEnd[axis][side]);
         }
     }
     return hidden;

@@ -195,6 +195,15 @@ int dueTurn(const HeadingBelief& front, bool isNew)
     if (quarters % 2 == 1) return quarters;
     return front.turnDue(kLikelyFront) == 2 ? 2 : 0;
 }
+
+// Of two ways to turn by a quarter, which sizes cannot tell apart, the one that the path leads to.
+int towardsPath(const Track& track, int quarters)
+{
+    const Eigen::Vector2d moved = track.path.back().box.centre() - track.path.front().box.centre();
+    const double heading = track.state.mean(kHeading) + 0.5 * kPi * quarters;
+    const double forth = moved.x() * std::cos(heading) + moved.y() * std::sin(heading);
+    return forth < -kCourseDistance ? (quarters + 2) % 4 : quarters;
+}
 }  // namespace
 
 HeadingCues sizeCues(const Sighting& sighting, double height)
@@ -215,8 +224,9 @@ Track withCheckedHeading(const Track& track, const Sighting& sighting,
 {
     Track next = track;
     next.front = track.front.after(cuesOf(track, sighting));
-    const int quarters = dueTurn(next.front, track.sightings < kYoung);
+    int quarters = dueTurn(next.front, track.sightings < kYoung);
     if (quarters == 0) return next;
+    if (quarters % 2 == 1) quarters = towardsPath(track, quarters);
     next.front = next.front.turned(quarters);
     next.path = turned(std::move(next.path), quarters);
     if (quarters == 2) return reversed(next, options.motion);

@@ -59,8 +59,8 @@ struct Track
         return rotation(state.mean(kHeading)) *
                Eigen::Vector2d(state.mean(kSpeed), state.mean(kAxis) * state.yawRate());
     }
-    /// Of the centre along each axis, about, m. Beyond the greatest one what is there is no likelier
-    /// this target than a new one.
+    /// Of the centre along each axis, about, m. Beyond the greatest one what is there is no
+    /// likelier this target than a new one.
     double positionSigma() const
     {
         constexpr double kGreatest = 2.0;  // m

@@ -52,8 +52,8 @@ std::size_t flipsOfMoving(const std::vector<PoseError>& errors, double stillSpee
 /// Sizes of the speeds that tracks claim for objects whose true speed is below `stillSpeed`, m/s.
 ErrorStatistics phantomSpeed(const std::vector<PoseError>& errors, double stillSpeed);
 
-/// How far the positions of each track on an object whose true speed is below `stillSpeed` (m/s) lie
-/// from their own mean, m: the RMS is the scatter of what stands still.
+/// How far the positions of each track on an object whose true speed is below `stillSpeed` (m/s)
+/// lie from their own mean, m: the RMS is the scatter of what stands still.
 ErrorStatistics standingScatter(const std::vector<PoseError>& errors, double stillSpeed);
 
 }  // namespace vdamf
