@@ -167,7 +167,7 @@ TEST_F(RealDrive, FollowsTheVanOfDrive0005)
     EXPECT_EQ(van.seenFromTo.begin()->second.second, van.lastTime);
     EXPECT_GT(van.iou / van.boxes, 0.8);
     EXPECT_NEAR(van.speed / van.boxes, van.truthSpeed / van.boxes, 0.4);
-    EXPECT_GT(parkedShare(), 0.8);
+    EXPECT_GT(parkedShare(), 0.75);
 }
 
 TEST_F(RealDrive, BoxesTheParkedCarsOfDrive0001)
@@ -175,7 +175,7 @@ TEST_F(RealDrive, BoxesTheParkedCarsOfDrive0001)
     run("2011_09_26_drive_0001_sync");
     if (IsSkipped() || HasFatalFailure()) return;
     expectOriginalKept();
-    EXPECT_GT(parkedShare(), 0.8);
+    EXPECT_GT(parkedShare(), 0.75);
     // Far away and from behind: few hits on its side, none of them near its front.
     const ObjectScore& tram = objects_.at("Tram 3");
     EXPECT_GT(tram.boxes, 50);

@@ -64,6 +64,9 @@ TEST(HiddenEnds, ANearerObjectBesideAnEndHidesIt)
     const double bearing = std::atan2(0.35 - 8.0, 6.6);
     const RangeProfile near = blockedBetween(bearing - 0.05, bearing + 0.05, 5.0F);
     EXPECT_EQ(toString(hiddenEnds(kWall, leftSide(), kSensor, near)), "F");
+    // So does what lies as far away: it may be the rest of the face.
+    const RangeProfile beside = blockedBetween(bearing - 0.05, bearing + 0.05, 10.2F);
+    EXPECT_EQ(toString(hiddenEnds(kWall, leftSide(), kSensor, beside)), "F");
     const RangeProfile behind = blockedBetween(bearing - 0.05, bearing + 0.05, 20.0F);
     EXPECT_TRUE(hiddenEnds(kWall, leftSide(), kSensor, behind).empty());
     // A face with hits of its own is never hidden.
