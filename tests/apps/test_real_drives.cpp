@@ -167,7 +167,7 @@ TEST_F(RealDrive, FollowsTheVanOfDrive0005)
     EXPECT_EQ(van.seenFromTo.begin()->second.second, van.lastTime);
     EXPECT_GT(van.iou / van.boxes, 0.8);
     EXPECT_NEAR(van.speed / van.boxes, van.truthSpeed / van.boxes, 0.4);
-    EXPECT_GT(parkedShare(), 0.75);
+    EXPECT_GT(parkedShare(), 0.8);
 }
 
 TEST_F(RealDrive, BoxesTheParkedCarsOfDrive0001)
