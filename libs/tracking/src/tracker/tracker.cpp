@@ -140,11 +140,10 @@ private:
     // where the hits are. What is hardly a vehicle is followed with less effort.
     SearchEffort effortFor(const Track& track) const
     {
-        constexpr double kVague = 0.3;           // m
-        constexpr double kPoorMatch = 0.6;       // of the last one
-        constexpr std::uint64_t kLookAgain = 8;  // sightings, for what was ruled out by mistake
-        const bool isTurn =
-            (track.id + static_cast<std::uint64_t>(track.sightings)) % kLookAgain == 0;
+        constexpr double kVague = 0.3;      // m
+        constexpr double kPoorMatch = 0.6;  // of the last one
+        constexpr int kLookAgain = 4;       // sightings, for what was ruled out by mistake
+        const bool isTurn = track.sightings % kLookAgain == 0;
         if (!isTurn && discriminator_.rulesOut(track)) return {0.0, true};
         const bool isVague = track.positionSigma() >= kVague;
         return {isVague ? std::numeric_limits<double>::infinity() : kPoorMatch * track.lastMatch,
