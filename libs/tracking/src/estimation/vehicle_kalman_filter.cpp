@@ -62,7 +62,7 @@ public:
     VehicleState updated(const VehicleState& state, const BoxMeasurement& measurement)
     {
         model_ = &modelFor(state.steering);
-        measurement_ = &measurement;
+        measurement_ = measurement;
         width_ = state.width;
         m_xkk.asEigen() = state.mean;
         m_pkk.asEigen() = state.covariance;
@@ -85,17 +85,14 @@ protected:
 
     void OnGetObservationNoise(KFMatrix_OxO& r) const override
     {
-        r.setIdentity();
-        if (measurement_ == nullptr) return;
-        const auto toPoint =
-            byBox(measurement_->box(2), measurement_->box(3), measurement_->box(4));
+        const auto toPoint = byBox(measurement_.box(2), measurement_.box(3), measurement_.box(4));
         Eigen::Matrix<double, 4, 5> j = Eigen::Matrix<double, 4, 5>::Zero();
         j.leftCols<4>() = toPoint;
         j.block<2, 1>(0, 4) =
-            0.5 * measurement_->fixedPoint.y() * rotation(measurement_->box(2)).col(1);
-        r.asEigen() = j * measurement_->covariance * j.transpose();
-        if (measurement_->lag == 0.0) return;
-        const StateMatrix q = model_->noise(m_xkk.asEigen(), measurement_->lag);
+            0.5 * measurement_.fixedPoint.y() * rotation(measurement_.box(2)).col(1);
+        r.asEigen() = j * measurement_.covariance * j.transpose();
+        if (measurement_.lag == 0.0) return;
+        const StateMatrix q = model_->noise(m_xkk.asEigen(), measurement_.lag);
         const auto h = byBox(m_xkk[kHeading], m_xkk[kLength], width_);
         r.asEigen() += h * q(kMeasured, kMeasured) * h.transpose();
     }
@@ -107,9 +104,8 @@ protected:
     {
         association.clear();
         z.clear();
-        if (measurement_ == nullptr) return;
         z.resize(1);
-        const Vector5d& box = measurement_->box;
+        const Vector5d& box = measurement_.box;
         z[0].asEigen() = pointOf(box.head<4>(), box(4));
     }
 
@@ -122,10 +118,10 @@ protected:
 
     void OnObservationJacobians(size_t, KFMatrix_OxV& hx, KFMatrix_OxF&) const override
     {
-        const double lag = measurement_ != nullptr ? measurement_->lag : 0.0;
         const StateVector then = stateWhenMeasured();
-        hx.asEigen() = byBox(then(kHeading), then(kLength), width_) *
-                       model_->jacobian(m_xkk.asEigen(), lag)(kMeasured, Eigen::indexing::all);
+        hx.asEigen() =
+            byBox(then(kHeading), then(kLength), width_) *
+            model_->jacobian(m_xkk.asEigen(), measurement_.lag)(kMeasured, Eigen::indexing::all);
     }
 
     void OnSubstractObservationVectors(KFArray_OBS& a, const KFArray_OBS& b) const override
@@ -148,8 +144,7 @@ private:
     // headings of box and state.
     Eigen::Vector2d offset(double length, double width) const
     {
-        if (measurement_ == nullptr) return Eigen::Vector2d::Zero();
-        return 0.5 * measurement_->fixedPoint.cwiseProduct(Eigen::Vector2d(length, width));
+        return 0.5 * measurement_.fixedPoint.cwiseProduct(Eigen::Vector2d(length, width));
     }
 
     // Fixed point, heading and length of a box (x, y, heading, length).
@@ -167,8 +162,7 @@ private:
         const Eigen::Vector2d at = offset(length, width);
         Eigen::Matrix4d j = Eigen::Matrix4d::Identity();
         j.block<2, 1>(0, 2) = r * Eigen::Vector2d(-at.y(), at.x());
-        if (measurement_ != nullptr)
-            j.block<2, 1>(0, 3) = 0.5 * measurement_->fixedPoint.x() * r.col(0);
+        j.block<2, 1>(0, 3) = 0.5 * measurement_.fixedPoint.x() * r.col(0);
         return j;
     }
 
@@ -180,8 +174,8 @@ private:
 
     StateVector stateWhenMeasured() const
     {
-        if (measurement_ == nullptr || measurement_->lag == 0.0) return m_xkk.asEigen();
-        return model_->predicted(m_xkk.asEigen(), measurement_->lag);
+        if (measurement_.lag == 0.0) return m_xkk.asEigen();
+        return model_->predicted(m_xkk.asEigen(), measurement_.lag);
     }
 
     MotionOptions options_;
@@ -190,7 +184,7 @@ private:
     IndependentModel independent_;
     const MotionModel* model_ = &variableAxis_;
     double width_ = 0.0;
-    const BoxMeasurement* measurement_ = nullptr;
+    BoxMeasurement measurement_;
 };
 
 VehicleKalmanFilter::VehicleKalmanFilter(const MotionOptions& options)

@@ -31,8 +31,9 @@ BoxMeasurement withKnown(const BoxMeasurement& measurement, Eigen::Index row, do
 
 /// mrpt::bayes::CKalmanFilterCapable (kfEKFNaive, the only one of its methods that is right) with
 /// the motion model that a state is meant for. One object serves all tracks: MRPT's filter is 600
-/// kB large and cannot be copied, so it is loaded with a track's Gaussian, stepped and read. Not
-/// thread safe.
+/// kB large and cannot be copied, so it is loaded with a track's Gaussian, updated and read.
+/// Predictions do not need it: the template's would work out an innovation as well. Not thread
+/// safe.
 class VehicleKalmanFilter
 {
 public:
