@@ -77,22 +77,6 @@ std::vector<CellValue> cellsOf(const CanonicalHits& hits, const DiscriminationGr
     return cells;
 }
 
-// The features that are not zero.
-struct SparseFeatures
-{
-    std::vector<CellValue> cells;
-    std::vector<PairValue> pairs;
-};
-
-SparseFeatures sparseFeatures(const ObjectView& view, const DiscriminationGrid& grid)
-{
-    SparseFeatures features;
-    const CanonicalHits hits = toCanonicalFrame(view);
-    if (hits.size() == 0) return features;
-    if (!view.planar) features.cells = cellsOf(hits, grid);
-    features.pairs = pairsOf(describe(hits, view), view.planar);
-    return features;
-}
 }  // namespace
 
 std::vector<FeatureBlock> featureBlocks(const DiscriminationGrid& grid)
@@ -110,30 +94,25 @@ std::size_t featureCount(const DiscriminationGrid& grid)
 
 std::vector<float> objectFeatures(const ObjectView& view, const DiscriminationGrid& grid)
 {
-    const SparseFeatures sparse = sparseFeatures(view, grid);
     std::vector<float> features(featureCount(grid), 0.0F);
-    for (const CellValue& each : sparse.cells) features[each.cell] = each.value;
-    for (const PairValue& pair : sparse.pairs)
-        for (std::size_t k = 0; k < 4; ++k)
-            features[grid.cells() + pair.feature(k)] += pair.value[k];
+    const CanonicalHits hits = toCanonicalFrame(view);
+    if (hits.size() == 0) return features;
+    if (!view.planar)
+        for (const CellValue& each : cellsOf(hits, grid)) features[each.cell] = each.value;
+    putPairs(describe(hits, view), view.planar, features.data() + grid.cells());
     return features;
 }
 
 double objectScore(const ObjectView& view, const DiscriminatorModel& model)
 {
-    const SparseFeatures sparse = sparseFeatures(view, model.grid);
+    const CanonicalHits hits = toCanonicalFrame(view);
+    if (hits.size() == 0) return model.bias;
     double score = model.bias;
-    for (const CellValue& each : sparse.cells)
-        score += model.weights[each.cell] * static_cast<double>(each.value);
-    const double* const weights = model.weights.data() + model.grid.cells();
-    for (const PairValue& pair : sparse.pairs)
-    {
-        double sum = 0.0;
-        for (std::size_t k = 0; k < 4; ++k)
-            sum += weights[pair.feature(k)] * static_cast<double>(pair.value[k]);
-        score += sum;
-    }
-    return score;
+    if (!view.planar)
+        for (const CellValue& each : cellsOf(hits, model.grid))
+            score += model.weights[each.cell] * static_cast<double>(each.value);
+    return score +
+           pairScore(describe(hits, view), view.planar, model.weights.data() + model.grid.cells());
 }
 
 }  // namespace vdamf
