@@ -51,8 +51,13 @@ public:
         for (auto& table : bins_)
             std::fill(table.data() + first_ + kPadding - 1, table.data() + last_ + 2 * kPadding,
                       0.0F);
-        for (std::size_t i = 0; i < bins.size(); ++i)
-            bins_[i % 2][bins[i] + kPadding] += weights[i];
+        std::size_t i = 0;
+        for (; i + 1 < bins.size(); i += 2)
+        {
+            bins_[0][bins[i] + kPadding] += weights[i];
+            bins_[1][bins[i + 1] + kPadding] += weights[i + 1];
+        }
+        if (i < bins.size()) bins_[0][bins[i] + kPadding] += weights[i];
     }
 
     // Of equal ones the first.
@@ -110,13 +115,16 @@ class TurnedHits
 {
 public:
     TurnedHits(const Hits& hits, const Eigen::Vector2d& origin)
-        : x_(hits.size()), y_(hits.size()), binX_(hits.size()), binY_(hits.size())
+        : x_(hits.size()),
+          y_(hits.size()),
+          weight_(hits.weight.begin(), hits.weight.end()),
+          binX_(hits.size()),
+          binY_(hits.size())
     {
         for (std::size_t i = 0; i < hits.size(); ++i)
         {
             x_[i] = static_cast<float>(hits.x[i] - origin.x());
             y_[i] = static_cast<float>(hits.y[i] - origin.y());
-            weight_.push_back(static_cast<float>(hits.weight[i]));
         }
     }
 

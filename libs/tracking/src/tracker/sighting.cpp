@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "types/lanes.h"
 #include "types/wide_lanes.h"
@@ -76,16 +77,16 @@ Eigen::Vector2d extentOf(const Hits& hits, double heading)
     if (hits.size() == 0) return extent;
     const Eigen::Matrix2d axes = rotation(heading);
     std::vector<double> places(hits.size());
+    std::vector<double> lowest(outermost + 1);
+    std::vector<double> highest(outermost + 1);
     for (int axis = 0; axis < 2; ++axis)
     {
         for (std::size_t i = 0; i < hits.size(); ++i)
             places[i] = axes(0, axis) * hits.x[i] + axes(1, axis) * hits.y[i];
-        const auto low = places.begin() + static_cast<std::ptrdiff_t>(outermost);
-        const auto high = places.end() - 1 - static_cast<std::ptrdiff_t>(outermost);
-        std::nth_element(places.begin(), low, places.end());
-        const double lowest = *low;
-        std::nth_element(places.begin(), high, places.end());
-        extent(axis) = *high - lowest;
+        std::partial_sort_copy(places.begin(), places.end(), lowest.begin(), lowest.end());
+        std::partial_sort_copy(places.begin(), places.end(), highest.begin(), highest.end(),
+                               std::greater<>());
+        extent(axis) = highest.back() - lowest.back();
     }
     return extent;
 }
