@@ -54,6 +54,7 @@ HeadingBelief HeadingBelief::after(const HeadingCues& cues) const
     const double dt = std::min(cues.dt, kLongest);
     const double frames = kFrameRate * dt;
     next.axes_ = withEvidence(axes_, axesEvidence(cues), frames, kRepeats);
+    next.neighbours_ = cues.neighbours;
     const double forth = course_[0] - course_[2];
     if (std::abs(forth) < kKnown)
         next.course_[2] -= withEvidence(forth, frontEvidence(cues.forth), frames, 1.0) - forth;
@@ -73,7 +74,7 @@ HeadingBelief HeadingBelief::after(const HeadingCues& cues) const
 std::array<double, 4> HeadingBelief::logs() const
 {
     std::array<double, 4> all = course_;
-    for (std::size_t k = 1; k < 4; k += 2) all[k] -= axes_;
+    for (std::size_t k = 1; k < 4; k += 2) all[k] -= axes_ + neighbours_;
     return all;
 }
 
@@ -90,7 +91,9 @@ HeadingBelief HeadingBelief::turned(int quarters) const
     for (int k = 0; k < 4; ++k)
         next.course_[static_cast<std::size_t>(k)] =
             course_[static_cast<std::size_t>((k + quarters % 4 + 4) % 4)];
-    next.axes_ = quarters % 2 == 0 ? axes_ : -axes_;
+    const double sign = quarters % 2 == 0 ? 1.0 : -1.0;
+    next.axes_ = sign * axes_;
+    next.neighbours_ = sign * neighbours_;
     return next;
 }
 
@@ -104,6 +107,13 @@ double HeadingBelief::axesProbability() const
     const std::array<double, 4> all = logs();
     const double right = std::exp(all[0]) + std::exp(all[2]);
     return right / (right + std::exp(all[1]) + std::exp(all[3]));
+}
+
+double HeadingBelief::ownAxesProbability() const
+{
+    HeadingBelief alone = *this;
+    alone.neighbours_ = 0.0;
+    return alone.axesProbability();
 }
 
 }  // namespace vdamf

@@ -54,8 +54,8 @@ Track startedTrack(std::uint64_t id, const Sighting& sighting, const StartSpeed&
     return track;
 }
 
-Track sightedTrack(Track track, const Sighting& sighting, VehicleKalmanFilter& filter,
-                   const TrackerOptions& options)
+Track sightedTrack(Track track, const Sighting& sighting, double neighbours,
+                   VehicleKalmanFilter& filter, const TrackerOptions& options)
 {
     const VisibilityOptions& visibility = options.visibility;
     const Measurement m = alignedWith(
@@ -91,7 +91,7 @@ Track sightedTrack(Track track, const Sighting& sighting, VehicleKalmanFilter& f
     const Vector5d& b = box.box;
     appendToPath(track,
                  {sighting.time + sighting.lag, {b(0), b(1), b(2), b(3), b(4)}, locatedFaces(m)});
-    return withCheckedHeading(track, sighting, options);
+    return withCheckedHeading(track, sighting, neighbours, options);
 }
 
 Track movedBy(Track track, const Eigen::Vector3d& by)

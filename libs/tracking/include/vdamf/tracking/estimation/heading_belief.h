@@ -29,6 +29,7 @@ struct HeadingCues
     std::optional<FaceExtent> side;  ///< seen, of the box as it is held
     std::optional<FaceExtent> end;   ///< seen, of the box as it is held
     double height = 1.5;             ///< of the vehicle, m
+    double neighbours = 0.0;         ///< log odds for the axes held, by the vehicles around it
 };
 
 /// Log odds that length and width are as they are held rather than exchanged, of one frame.
@@ -53,6 +54,8 @@ public:
     double forwardProbability() const;
     /// That length and width are not exchanged.
     double axesProbability() const;
+    /// The same by what the vehicle itself showed, without its neighbours.
+    double ownAxesProbability() const;
 
 private:
     std::array<double, 4> logs() const;
@@ -62,6 +65,8 @@ private:
     std::array<double, 4> course_{};
     /// By the sizes seen: log odds that length and width are not exchanged.
     double axes_ = 2.0;
+    /// The same by the vehicles around it in the last frame.
+    double neighbours_ = 0.0;
 };
 
 }  // namespace vdamf
