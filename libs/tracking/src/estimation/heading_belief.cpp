@@ -29,6 +29,12 @@ double withEvidence(double odds, double evidence, double frames, double repeats)
                           : std::min(odds, std::max(next, most));
 }
 
+// Logarithm of the sum of two numbers given by theirs.
+double logOfSum(double a, double b)
+{
+    return std::max(a, b) + std::log1p(std::exp(-std::abs(a - b)));
+}
+
 // Log odds that what moves does so with its front ahead.
 double frontEvidence(double forth)
 {
@@ -57,7 +63,13 @@ HeadingBelief HeadingBelief::after(const HeadingCues& cues) const
     next.neighbours_ = cues.neighbours;
     const double forth = course_[0] - course_[2];
     if (std::abs(forth) < kKnown)
-        next.course_[2] -= withEvidence(forth, frontEvidence(cues.forth), frames, 1.0) - forth;
+    {
+        // Whichever way it moves along an axis, both ways together are as likely as before.
+        const double either = logOfSum(course_[0], course_[2]);
+        const double after = withEvidence(forth, frontEvidence(cues.forth), frames, 1.0);
+        next.course_[0] = either - logOfSum(0.0, -after);
+        next.course_[2] = either - logOfSum(0.0, after);
+    }
     for (std::size_t k = 0; cues.course && k < 4; ++k)
     {
         const double along = std::cos(cues.course->direction - 0.5 * kPi * static_cast<double>(k));
