@@ -38,8 +38,10 @@ double axesEvidence(const HeadingCues& cues);
 class HeadingBelief
 {
 public:
-    /// Nothing is known of front and rear; length and width are likelier right than exchanged.
+    /// Nothing is known.
     HeadingBelief() = default;
+    /// Of the axes, what the first sighting tells: log odds that they are not exchanged.
+    explicit HeadingBelief(double axes) : axes_(axes) {}
 
     HeadingBelief after(const HeadingCues& cues) const;
 
@@ -64,7 +66,7 @@ private:
     /// for a constant.
     std::array<double, 4> course_{};
     /// By the sizes seen: log odds that length and width are not exchanged.
-    double axes_ = 2.0;
+    double axes_ = 0.0;
     /// The same by the vehicles around it in the last frame.
     double neighbours_ = 0.0;
 };
