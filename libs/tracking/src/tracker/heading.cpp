@@ -18,7 +18,7 @@ constexpr double kLeastShare = 0.5;      // of the mean speed, in each half of a
 // Log odds from which on length and width are exchanged, of young tracks and of others, and front
 // and rear.
 constexpr double kLikely = 1.0;
-constexpr double kDecisive = 5.0;
+constexpr double kDecisive = 3.0;
 constexpr double kLikelyFront = 2.5;
 constexpr int kYoung = 10;  // sightings
 
