@@ -210,9 +210,13 @@ HeadingCues sizeCues(const Sighting& sighting, double height)
 {
     // Rows of few hits break off before the face ends.
     constexpr double kFewHits = 30.0;
+    // What lies beside or close behind an end seems to hide more of it.
+    constexpr double kStillWhole = 0.25;
     const Measurement& m = sighting.measurement;
-    const auto extentOf = [](const FaceRow& row, bool isWhole) {
-        return FaceExtent{row.metres, isWhole ? row.hits / (row.hits + kFewHits) : 0.0};
+    const auto extentOf = [](const FaceRow& row, bool isWhole)
+    {
+        return FaceExtent{row.metres,
+                          (isWhole ? 1.0 : kStillWhole) * row.hits / (row.hits + kFewHits)};
     };
     HeadingCues cues;
     cues.height = height;
