@@ -47,7 +47,7 @@ Track startedTrack(std::uint64_t id, const Sighting& sighting, const StartSpeed&
     track.sightings = 1;
     track.lastSeen = sighting.time;
     track.told = SizesTold().with(m);
-    track.front = HeadingBelief(axesEvidence(sizeCues(sighting, track.height)));
+    track.front = HeadingBelief(sizeCues(sighting, track.height));
     track.measurement = m;
     track.lastMatch = m.match;
     if (options.lifecycle.confirmHits <= 1) track.status = TrackStatus::Confirmed;

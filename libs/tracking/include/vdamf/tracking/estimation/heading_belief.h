@@ -32,7 +32,8 @@ struct HeadingCues
     double neighbours = 0.0;         ///< log odds for the axes held, by the vehicles around it
 };
 
-/// Log odds that length and width are as they are held rather than exchanged, of one frame.
+/// Log odds that length and width are as they are held rather than exchanged, by the faces that one
+/// frame shows.
 double axesEvidence(const HeadingCues& cues);
 
 class HeadingBelief
@@ -40,8 +41,8 @@ class HeadingBelief
 public:
     /// Nothing is known.
     HeadingBelief() = default;
-    /// Of the axes, what the first sighting tells: log odds that they are not exchanged.
-    explicit HeadingBelief(double axes) : axes_(axes) {}
+    /// What the first sighting tells.
+    explicit HeadingBelief(const HeadingCues& cues);
 
     HeadingBelief after(const HeadingCues& cues) const;
 
@@ -67,6 +68,8 @@ private:
     std::array<double, 4> course_{};
     /// By the sizes seen: log odds that length and width are not exchanged.
     double axes_ = 0.0;
+    /// Longest rows of hits of late along ends and sides: shorter ones are parts of them.
+    std::optional<FaceExtent> longestEnd_, longestSide_;
     /// The same by the vehicles around it in the last frame.
     double neighbours_ = 0.0;
 };
