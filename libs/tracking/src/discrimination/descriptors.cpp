@@ -27,33 +27,51 @@ public:
         for (const float v : values)
         {
             const auto cell = static_cast<std::size_t>((v - min_) * perMetre);
-            ++counts_[std::min(kCells - 1, cell)];
+            const std::size_t within = std::min(kCells - 1, cell);
+            ++counts_[within];
+            ++blocks_[within / kBlock];
         }
     }
+
+    float min() const { return min_; }
+    float max() const { return max_; }
 
     /// Lower edge of the cell with the value that this share of the others is below.
     double above(double share) const
     {
         if (!isCounted_) return min_;
-        const auto beyond = static_cast<std::size_t>(share * static_cast<double>(size_));
-        std::size_t cell = 0;
-        for (std::size_t n = counts_[0]; n <= beyond; n += counts_[cell]) ++cell;
-        return min_ + width_ * static_cast<float>(cell);
+        return min_ + width_ * static_cast<float>(cellOf(rankOf(share)));
     }
 
     /// Upper edge of the cell with the value that this share of the others is above.
     double below(double share) const
     {
         if (!isCounted_) return max_;
-        const auto beyond = static_cast<std::size_t>(share * static_cast<double>(size_));
-        std::size_t cell = kCells - 1;
-        for (std::size_t n = counts_[cell]; n <= beyond; n += counts_[cell]) --cell;
+        const std::size_t cell = cellOf(size_ - 1 - rankOf(share));
         return std::min(max_, min_ + width_ * static_cast<float>(cell + 1));
     }
 
 private:
     static constexpr std::size_t kCells = 512;
+    static constexpr std::size_t kBlock = 32;  // cells
+
+    std::size_t rankOf(double share) const
+    {
+        return static_cast<std::size_t>(share * static_cast<double>(size_));
+    }
+    /// Of the value with so many before it.
+    std::size_t cellOf(std::size_t rank) const
+    {
+        std::size_t before = 0;
+        std::size_t block = 0;
+        while (before + blocks_[block] <= rank) before += blocks_[block++];
+        std::size_t cell = block * kBlock;
+        while (before + counts_[cell] <= rank) before += counts_[cell++];
+        return cell;
+    }
+
     std::array<std::uint16_t, kCells> counts_{};
+    std::array<std::uint16_t, kCells / kBlock> blocks_{};
     std::size_t size_;
     float min_ = 0.0F;
     float max_ = 0.0F;
@@ -62,22 +80,25 @@ private:
 };
 
 /// Mean distance of the lowest and the highest hit over half a metre square.
-double columnsOf(const CanonicalHits& hits)
+double columnsOf(const CanonicalHits& hits, float least, float greatest)
 {
     constexpr float kPerMetre = 2.0F;
     constexpr float kBefore = 2.25F;  // m, so that the near faces lie in the middle of squares
     constexpr std::size_t kAlong = 48;
     constexpr std::size_t kAcross = 16;
     constexpr float kNone = 1e9F;
-    std::array<float, kAlong * kAcross> low;
-    std::array<float, kAlong * kAcross> high;
-    low.fill(kNone);
-    high.fill(-kNone);
     const auto cellOf = [](float value, std::size_t cells)
     {
         return static_cast<std::size_t>(
             std::clamp((value + kBefore) * kPerMetre, 0.0F, static_cast<float>(cells - 1)));
     };
+    // Squares of other x have no hits.
+    const std::size_t first = cellOf(least, kAlong) * kAcross;
+    const std::size_t end = (cellOf(greatest, kAlong) + 1) * kAcross;
+    std::array<float, kAlong * kAcross> low;
+    std::array<float, kAlong * kAcross> high;
+    std::fill(low.begin() + first, low.begin() + end, kNone);
+    std::fill(high.begin() + first, high.begin() + end, -kNone);
     for (std::size_t i = 0; i < hits.size(); ++i)
     {
         const std::size_t cell = cellOf(hits.x[i], kAlong) * kAcross + cellOf(hits.y[i], kAcross);
@@ -86,7 +107,7 @@ double columnsOf(const CanonicalHits& hits)
     }
     double sum = 0.0;
     double columns = 0.0;
-    for (std::size_t cell = 0; cell < low.size(); ++cell)
+    for (std::size_t cell = first; cell < end; ++cell)
     {
         if (high[cell] < low[cell]) continue;
         sum += static_cast<double>(high[cell] - low[cell]);
@@ -218,7 +239,7 @@ Descriptors describe(const CanonicalHits& hits, const ObjectView& view)
     d.bottom = z.above(kEnd);
     d.shoulder = z.above(0.85);
     d.middle = z.above(0.5);
-    d.columns = columnsOf(hits);
+    d.columns = columnsOf(hits, x.min(), x.max());
     countOutside(d, hits, view.box);
     const Silhouette silhouette = silhouetteOf(hits);
     d.breadth = silhouette.breadth;

@@ -31,20 +31,50 @@ struct CellFinder
     int cells;
 };
 
-void putCells(const CanonicalHits& hits, const DiscriminationGrid& grid, float* cells)
+struct CellValue
+{
+    std::size_t cell = 0;
+    float value = 0.0F;
+};
+
+// Those with hits.
+std::vector<CellValue> cellsOf(const CanonicalHits& hits, const DiscriminationGrid& grid)
 {
     const CellFinder x(grid.x);
     const CellFinder y(grid.y);
     const CellFinder z(grid.z);
+    std::vector<float> counts(grid.cells(), 0.0F);
+    std::vector<CellValue> cells;
     for (std::size_t n = 0; n < hits.size(); ++n)
     {
         const int i = x.at(hits.x[n]);
         const int j = y.at(hits.y[n]);
         const int k = z.at(hits.z[n]);
-        if (i >= 0 && j >= 0 && k >= 0) cells[grid.index(i, j, k)] += 1.0F;
+        if (i < 0 || j < 0 || k < 0) continue;
+        const std::size_t cell = grid.index(i, j, k);
+        if (counts[cell] == 0.0F) cells.push_back({cell, 0.0F});
+        counts[cell] += 1.0F;
     }
     const float share = 1.0F / static_cast<float>(hits.size());
-    for (std::size_t c = 0; c < grid.cells(); ++c) cells[c] = std::sqrt(cells[c] * share);
+    for (CellValue& each : cells) each.value = std::sqrt(counts[each.cell] * share);
+    return cells;
+}
+
+// The features that are not zero.
+struct SparseFeatures
+{
+    std::vector<CellValue> cells;
+    std::vector<PairValue> pairs;
+};
+
+SparseFeatures sparseFeatures(const ObjectView& view, const DiscriminationGrid& grid)
+{
+    SparseFeatures features;
+    const CanonicalHits hits = toCanonicalFrame(view);
+    if (hits.size() == 0) return features;
+    if (!view.planar) features.cells = cellsOf(hits, grid);
+    features.pairs = pairsOf(describe(hits, view), view.planar);
+    return features;
 }
 }  // namespace
 
@@ -63,12 +93,30 @@ std::size_t featureCount(const DiscriminationGrid& grid)
 
 std::vector<float> objectFeatures(const ObjectView& view, const DiscriminationGrid& grid)
 {
+    const SparseFeatures sparse = sparseFeatures(view, grid);
     std::vector<float> features(featureCount(grid), 0.0F);
-    const CanonicalHits hits = toCanonicalFrame(view);
-    if (hits.size() == 0) return features;
-    if (!view.planar) putCells(hits, grid, features.data());
-    putPairs(describe(hits, view), view.planar, features.data() + grid.cells());
+    for (const CellValue& each : sparse.cells) features[each.cell] = each.value;
+    for (const PairValue& pair : sparse.pairs)
+        for (std::size_t k = 0; k < 4; ++k)
+            features[grid.cells() + pair.feature(k)] += pair.value[k];
     return features;
+}
+
+double objectScore(const ObjectView& view, const DiscriminatorModel& model)
+{
+    const SparseFeatures sparse = sparseFeatures(view, model.grid);
+    double score = model.bias;
+    for (const CellValue& each : sparse.cells)
+        score += model.weights[each.cell] * static_cast<double>(each.value);
+    const double* const weights = model.weights.data() + model.grid.cells();
+    for (const PairValue& pair : sparse.pairs)
+    {
+        double sum = 0.0;
+        for (std::size_t k = 0; k < 4; ++k)
+            sum += weights[pair.feature(k)] * static_cast<double>(pair.value[k]);
+        score += sum;
+    }
+    return score;
 }
 
 }  // namespace vdamf

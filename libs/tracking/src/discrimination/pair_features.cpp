@@ -127,27 +127,32 @@ std::size_t pairFeatureCount()
     return layout().size;
 }
 
-void putPairs(const Descriptors& descriptors, bool planar, float* features)
+std::vector<PairValue> pairsOf(const Descriptors& descriptors, bool planar)
 {
     // The many pairs are not to drown the cells.
     constexpr double kScale = 0.5;
     std::array<std::optional<KnotPlace>, kNumbers.size()> places;
     for (std::size_t i = 0; i < kNumbers.size(); ++i)
         places[i] = placeIn(kNumbers[i], descriptors, planar);
-    for (const Pair& pair : planar ? layout().planar : layout().all)
+    const std::vector<Pair>& pairs = planar ? layout().planar : layout().all;
+    std::vector<PairValue> values;
+    values.reserve(pairs.size());
+    for (const Pair& pair : pairs)
     {
         const auto& a = places[pair.first];
         const auto& b = places[pair.second];
         if (!a || !b) continue;
         const std::size_t rowSize = kNumbers[pair.second].knots.count;
-        float* const row = features + pair.begin + a->below * rowSize + b->below;
         const double above = kScale * a->shareAbove;
         const double below = kScale - above;
-        row[0] += static_cast<float>(below * (1.0 - b->shareAbove));
-        row[1] += static_cast<float>(below * b->shareAbove);
-        row[rowSize] += static_cast<float>(above * (1.0 - b->shareAbove));
-        row[rowSize + 1] += static_cast<float>(above * b->shareAbove);
+        values.push_back({pair.begin + a->below * rowSize + b->below,
+                          rowSize,
+                          {static_cast<float>(below * (1.0 - b->shareAbove)),
+                           static_cast<float>(below * b->shareAbove),
+                           static_cast<float>(above * (1.0 - b->shareAbove)),
+                           static_cast<float>(above * b->shareAbove)}});
     }
+    return values;
 }
 
 }  // namespace vdamf

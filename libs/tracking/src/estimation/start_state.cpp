@@ -11,7 +11,9 @@ namespace
 {
 constexpr double kCarEnd = 1.3;     // m, the narrowest
 constexpr double kWidestCar = 2.3;  // m
-// The end of a truck or bus alone tells little of its length.
+// The end of a truck or bus alone tells little of its length. What is as wide and low is none: the
+// part of a side, or no vehicle.
+constexpr double kTruckHeight = 2.0;  // m
 constexpr double kWidestTruck = 2.8;  // m
 constexpr double kTruckLength = 8.0;
 constexpr double kTruckLengthSigma = 2.5;
@@ -22,11 +24,12 @@ struct AssumedLength
     double sigma = 0.0;
 };
 
-// Of the vehicle behind an end of that width (m).
-std::optional<AssumedLength> lengthBehind(double width, const VisibilityOptions& o)
+// Of the vehicle behind an end of that width and height (m).
+std::optional<AssumedLength> lengthBehind(double width, double height, const VisibilityOptions& o)
 {
     if (width < kCarEnd || width > kWidestTruck) return std::nullopt;
     if (width < kWidestCar) return AssumedLength{o.carLength, o.carLengthSigma};
+    if (height < kTruckHeight) return std::nullopt;
     return AssumedLength{kTruckLength, kTruckLengthSigma};
 }
 
@@ -41,7 +44,7 @@ bool couldBeACar(const Measurement& m)
     return lengthFits && widthFits && (carEnd || carSide);
 }
 
-BoxMeasurement withSizes(const Measurement& m, const Eigen::Vector2d& sensor,
+BoxMeasurement withSizes(const Measurement& m, double height, const Eigen::Vector2d& sensor,
                          const VisibilityOptions& o)
 {
     Eigen::Vector2d known(m.box.length, m.box.width);
@@ -61,10 +64,13 @@ BoxMeasurement withSizes(const Measurement& m, const Eigen::Vector2d& sensor,
         sigma.y() = kLargeWidthSigma;
     }
     else if (o.assumeVehicleSize && m.facesSeen.seesEnd() && !m.facesSeen.seesSide() &&
-             m.box.width > kWidestCar && m.box.width < kWidestTruck)
+             m.box.width > kWidestCar)
     {
-        known.x() = kTruckLength;
-        sigma.x() = kTruckLengthSigma;
+        if (const auto behind = lengthBehind(m.box.width, height, o))
+        {
+            known.x() = behind->metres;
+            sigma.x() = behind->sigma;
+        }
     }
     BoxMeasurement box = boxThrough(m, faceErrors(m, o), known, sensor, o);
     box = withKnown(box, 3, known.x(), sigma.x() * sigma.x());
@@ -77,12 +83,12 @@ SizesTold SizesTold::with(const Measurement& m) const
     return {length || locatesLength(m), width || locatesWidth(m)};
 }
 
-VehicleState grownToAVehicle(const VehicleState& predicted, const Measurement& m,
+VehicleState grownToAVehicle(const VehicleState& predicted, const Measurement& m, double height,
                              const SizesTold& told, const VisibilityOptions& o)
 {
     if (!o.assumeVehicleSize || told.length || m.facesSeen.seesSide() || !locatesWidth(m))
         return predicted;
-    const auto behind = lengthBehind(std::min(m.box.width, predicted.width), o);
+    const auto behind = lengthBehind(std::min(m.box.width, predicted.width), height, o);
     if (!behind || behind->metres - predicted.mean(kLength) < behind->sigma) return predicted;
     const double side = m.facesSeen.has(Face::Back) ? 0.5 : -0.5;
     StateVector byFace = StateVector::Zero();
@@ -95,11 +101,11 @@ VehicleState grownToAVehicle(const VehicleState& predicted, const Measurement& m
     return next;
 }
 
-VehicleState startState(const Measurement& measurement, const Eigen::Vector2d& sensor,
-                        const StartSpeed& speed, const VisibilityOptions& visibility,
-                        const MotionOptions& motion)
+VehicleState startState(const Measurement& measurement, double height,
+                        const Eigen::Vector2d& sensor, const StartSpeed& speed,
+                        const VisibilityOptions& visibility, const MotionOptions& motion)
 {
-    const BoxMeasurement box = withSizes(measurement, sensor, visibility);
+    const BoxMeasurement box = withSizes(measurement, height, sensor, visibility);
     const double axis = motion.axisFractionSigma * box.box(3);
     constexpr double kCurvatureSigma = 0.05;  // 1/m
     VehicleState state;

@@ -39,7 +39,7 @@ Track startedTrack(std::uint64_t id, const Sighting& sighting, const StartSpeed&
     Track track;
     track.id = id;
     const VehicleState seen =
-        startState(m, sighting.sensor, speed, options.visibility, options.motion);
+        startState(m, sighting.height, sighting.sensor, speed, options.visibility, options.motion);
     track.state = stateAt(seen, -sighting.lag, options.motion);
     track.hypotheses = hypothesesFrom(track.state, options.motion);
     track.groundZ = sighting.groundZ;
@@ -47,6 +47,7 @@ Track startedTrack(std::uint64_t id, const Sighting& sighting, const StartSpeed&
     track.sightings = 1;
     track.lastSeen = sighting.time;
     track.told = SizesTold().with(m);
+    track.front = HeadingBelief(sizeCues(sighting, track.height));
     track.measurement = m;
     track.lastMatch = m.match;
     if (options.lifecycle.confirmHits <= 1) track.status = TrackStatus::Confirmed;
@@ -54,15 +55,15 @@ Track startedTrack(std::uint64_t id, const Sighting& sighting, const StartSpeed&
     return track;
 }
 
-Track sightedTrack(Track track, const Sighting& sighting, VehicleKalmanFilter& filter,
-                   const TrackerOptions& options)
+Track sightedTrack(Track track, const Sighting& sighting, double neighbours,
+                   VehicleKalmanFilter& filter, const TrackerOptions& options)
 {
     const VisibilityOptions& visibility = options.visibility;
     const Measurement m = alignedWith(
         sighting.measurement, stateAt(track.state, sighting.lag, options.motion).mean(kHeading));
     MotionHypotheses hypotheses = track.hypotheses;
     hypotheses.forEach([&](const VehicleState& state)
-                       { return grownToAVehicle(state, m, track.told, visibility); });
+                       { return grownToAVehicle(state, m, track.height, track.told, visibility); });
     const VehicleState then =
         stateAt(hypotheses.combined(options.motion), sighting.lag, options.motion);
     BoxMeasurement box =
@@ -91,7 +92,7 @@ Track sightedTrack(Track track, const Sighting& sighting, VehicleKalmanFilter& f
     const Vector5d& b = box.box;
     appendToPath(track,
                  {sighting.time + sighting.lag, {b(0), b(1), b(2), b(3), b(4)}, locatedFaces(m)});
-    return withCheckedHeading(track, sighting, options);
+    return withCheckedHeading(track, sighting, neighbours, options);
 }
 
 Track movedBy(Track track, const Eigen::Vector3d& by)

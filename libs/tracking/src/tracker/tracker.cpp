@@ -8,6 +8,7 @@
 
 #include "association/plane_index.h"
 #include "tracker/discriminate.h"
+#include "tracker/neighbourhood.h"
 #include "tracker/new_sightings.h"
 #include "tracker/one_time.h"
 #include "tracker/shared_cut.h"
@@ -152,6 +153,7 @@ private:
 
     void updateTracks(double time, const std::vector<std::optional<Sighting>>& sightings)
     {
+        const Neighbourhood around(tracks_, discriminator_);
         workers_.forEach(
             tracks_.size(),
             [&](std::size_t j, std::size_t worker)
@@ -159,7 +161,9 @@ private:
                 Track& track = tracks_[j];
                 if (sightings[j])
                     track = typeFilters_.judged(
-                        sightedTrack(std::move(track), *sightings[j], filters_[worker], options_),
+                        sightedTrack(std::move(track), *sightings[j],
+                                     around.axesEvidence(sightings[j]->measurement.box, track.id),
+                                     filters_[worker], options_),
                         *sightings[j]);
                 else
                     miss(track, time);
@@ -185,7 +189,8 @@ private:
         for (const auto& taken : assignment)
             for (const std::size_t i : taken) claimed[i] = true;
         const StartSpeed speed{0.0, options_.lifecycle.startSpeedSigma};
-        for (const Sighting& s : newSightings(frame, claimed, options_, workers_))
+        const Neighbourhood around(tracks_, discriminator_);
+        for (const Sighting& s : newSightings(frame, claimed, around, options_, workers_))
         {
             tracks_.push_back(typeFilters_.judged(startedTrack(nextId_++, s, speed, options_), s));
             assignment.push_back(s.clusters);
