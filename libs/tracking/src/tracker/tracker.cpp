@@ -93,11 +93,12 @@ private:
         const Eigen::Vector3d moved = origin_ - frame.origin;
         time_ = frame.time;
         origin_ = frame.origin;
+        const Eigen::Vector2d sensor = (frame.sensor - frame.origin).head<2>();
         workers_.forEach(tracks_.size(),
                          [&](std::size_t j, std::size_t worker)
                          {
                              tracks_[j] = predictedTrack(movedBy(std::move(tracks_[j]), moved), dt,
-                                                         filters_[worker], options_.motion);
+                                                         sensor, filters_[worker], options_.motion);
                          });
     }
 
