@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tracker/existence.h"
+
 namespace vdamf
 {
 namespace
@@ -87,6 +89,7 @@ Track sightedTrack(Track track, const Sighting& sighting, double neighbours,
     ++track.sightings;
     track.misses = 0;
     track.lastSeen = sighting.time;
+    track = withHit(std::move(track), options.lifecycle);
     if (track.status == TrackStatus::Coasting || (track.status == TrackStatus::Tentative &&
                                                   track.sightings >= options.lifecycle.confirmHits))
         track.status = TrackStatus::Confirmed;

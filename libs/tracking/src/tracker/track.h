@@ -42,6 +42,7 @@ struct Track
     double height = 0.0;
     int sightings = 0;
     int misses = 0;          ///< frames since the last sighting
+    double existence = 0.5;  ///< probability that there is an object
     double lastSeen = 0.0;   ///< s
     double lastMatch = 0.0;  ///< response per hit of the last sighting, 1/m
     HeadingBelief front;
