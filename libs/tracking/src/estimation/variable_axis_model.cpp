@@ -52,12 +52,14 @@ struct Influence
 StateMatrix accumulated(const Influence& g, StateRow row, double dt)
 {
     const double dt2 = dt * dt;
+    // Worked out before they are scaled: symmetric to the last bit.
+    const Eigen::Matrix3d g11 = g.g1 * g.g1.transpose();
     const Eigen::Matrix3d g12 = g.g1 * g.g2.transpose();
+    const Eigen::Matrix3d g22 = g.g2 * g.g2.transpose();
     const Eigen::Vector3d withRow = dt2 / 2.0 * g.g1 + dt2 * dt / 3.0 * g.g2;
     StateMatrix q = StateMatrix::Zero();
-    q.topLeftCorner<3, 3>() = dt2 * dt / 3.0 * (g.g1 * g.g1.transpose()) +
-                              dt2 * dt2 / 4.0 * (g12 + g12.transpose()) +
-                              dt2 * dt2 * dt / 5.0 * (g.g2 * g.g2.transpose());
+    q.topLeftCorner<3, 3>() = dt2 * dt / 3.0 * g11 + dt2 * dt2 / 4.0 * (g12 + g12.transpose()) +
+                              dt2 * dt2 * dt / 5.0 * g22;
     q.block<3, 1>(0, row) = withRow;
     q.block<1, 3>(row, 0) = withRow.transpose();
     q(row, row) = dt;

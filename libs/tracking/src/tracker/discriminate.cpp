@@ -37,8 +37,9 @@ Track Discriminator::judged(Track track, const SegmentedFrame& frame,
     return track;
 }
 
-double Discriminator::probabilityOf(const Track& track) const
+double Discriminator::vehicleProbability(const Track& track) const
 {
+    if (options_.isOff()) return 0.5;
     return toProbability(trackLogOdds(track.evidence, model().track));
 }
 
@@ -46,13 +47,14 @@ bool Discriminator::rulesOut(const Track& track) const
 {
     constexpr int kSightings = 3;
     constexpr double kHardly = 0.1;  // probability
-    return !options_.isOff() && track.sightings >= kSightings && probabilityOf(track) < kHardly;
+    return !options_.isOff() && track.sightings >= kSightings &&
+           vehicleProbability(track) < kHardly;
 }
 
 TrackReport Discriminator::withProbability(TrackReport report, const Track& track) const
 {
     if (options_.isOff()) return report;
-    const double probability = probabilityOf(track);
+    const double probability = vehicleProbability(track);
     report.vehicleProbability = probability;
     report.isVehicle = probability >= options_.minProbability;
     return report;

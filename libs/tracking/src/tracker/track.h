@@ -14,6 +14,7 @@
 #include "vdamf/tracking/estimation/jitter.h"
 #include "vdamf/tracking/estimation/motion_hypotheses.h"
 #include "vdamf/tracking/estimation/start_state.h"
+#include "vdamf/tracking/estimation/view.h"
 #include "vdamf/tracking/tracker/tracker.h"
 
 namespace vdamf
@@ -36,10 +37,12 @@ struct Track
     JitterShares jitter;
     Eigen::Matrix3d lastingError =
         Eigen::Matrix3d::Zero();  ///< of the last sighting: x, y, heading
+    Eigen::Vector2d seenFrom = Eigen::Vector2d::Zero();  ///< sensor of the last frame, m
     double groundZ = 0.0;
     double height = 0.0;
     int sightings = 0;
     int misses = 0;          ///< frames since the last sighting
+    double existence = 0.5;  ///< probability that there is an object
     double lastSeen = 0.0;   ///< s
     double lastMatch = 0.0;  ///< response per hit of the last sighting, 1/m
     HeadingBelief front;
@@ -77,24 +80,25 @@ Track startedTrack(std::uint64_t id, const Sighting& sighting, const StartSpeed&
                    const TrackerOptions& options);
 
 /// The track after a sighting: visibility correction, Kalman update, heading checks.
-Track sightedTrack(Track track, const Sighting& sighting, VehicleKalmanFilter& filter,
-                   const TrackerOptions& options);
+/// `neighbours`: log odds for the axes held, by the vehicles around it.
+Track sightedTrack(Track track, const Sighting& sighting, double neighbours,
+                   VehicleKalmanFilter& filter, const TrackerOptions& options);
 
 /// What the faces that a sighting shows of a vehicle of that height (m) tell of its axes.
 HeadingCues sizeCues(const Sighting& sighting, double height);
 
 /// The track with its front where path and sizes say it is: exchanged with the rear or turned by a
 /// quarter once the odds for that are high. `sighting` is the one that was just taken in.
-Track withCheckedHeading(const Track& track, const Sighting& sighting,
+Track withCheckedHeading(const Track& track, const Sighting& sighting, double neighbours,
                          const TrackerOptions& options);
 
 /// The track with all positions moved (m), for a frame of another origin. What it has of the last
 /// frame stays as it is.
 Track movedBy(Track track, const Eigen::Vector3d& by);
 
-/// The track `dt` seconds later.
-Track predictedTrack(Track track, double dt, VehicleKalmanFilter& filter,
-                     const MotionOptions& options);
+/// The track `dt` seconds later, for a frame seen from `sensor`.
+Track predictedTrack(Track track, double dt, const Eigen::Vector2d& sensor,
+                     VehicleKalmanFilter& filter, const MotionOptions& options);
 
 /// In the world, where the track's origin is at `origin` (m).
 TrackReport reportOf(const Track& track, const VisibilityOptions& options,
