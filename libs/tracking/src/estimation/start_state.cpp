@@ -9,25 +9,38 @@ namespace vdamf
 {
 namespace
 {
-constexpr double kCarEnd = 1.3;     // m, the narrowest
-constexpr double kWidestCar = 2.3;  // m
-// The end of a truck or bus alone tells little of its length.
+constexpr double kCarEnd = 1.3;       // m, the narrowest
+constexpr double kWidestCar = 2.3;    // m
 constexpr double kWidestTruck = 2.8;  // m
-constexpr double kTruckLength = 8.0;
-constexpr double kTruckLengthSigma = 2.5;
+constexpr double kLowest = 1.6;       // m, of what is taller than most cars
 
-struct AssumedLength
+struct AssumedSize
 {
     double metres = 0.0;
     double sigma = 0.0;
 };
 
-// Of the vehicle behind an end of that width (m).
-std::optional<AssumedLength> lengthBehind(double width, const VisibilityOptions& o)
+// Sizes that go with the height of the highest hit (m): by labels of Argoverse 2 and KITTI, each
+// metre above a car's roof adds so many to the mean and to the standard deviation.
+AssumedSize lengthOfHeight(double height, const VisibilityOptions& o)
+{
+    const double over = std::max(0.0, height - kLowest);
+    return {o.carLength + 1.2 * over, o.carLengthSigma + 0.6 * over};
+}
+AssumedSize widthOfHeight(double height, const VisibilityOptions& o)
+{
+    const double over = std::max(0.0, height - kLowest);
+    return {o.carWidth + 0.4 * over, o.carWidthSigma + 0.1 * over};
+}
+
+// The end of a truck or bus alone tells little of its length.
+constexpr AssumedSize kTruckLength{9.0, 2.0};
+
+// Of the vehicle behind an end of that width and height (m).
+std::optional<AssumedSize> lengthBehind(double width, double height, const VisibilityOptions& o)
 {
     if (width < kCarEnd || width > kWidestTruck) return std::nullopt;
-    if (width < kWidestCar) return AssumedLength{o.carLength, o.carLengthSigma};
-    return AssumedLength{kTruckLength, kTruckLengthSigma};
+    return width < kWidestCar ? lengthOfHeight(height, o) : kTruckLength;
 }
 
 // Ends and sides that could be a car's, or the part of one that is not hidden; what is not seen
@@ -41,7 +54,7 @@ bool couldBeACar(const Measurement& m)
     return lengthFits && widthFits && (carEnd || carSide);
 }
 
-BoxMeasurement withSizes(const Measurement& m, const Eigen::Vector2d& sensor,
+BoxMeasurement withSizes(const Measurement& m, double height, const Eigen::Vector2d& sensor,
                          const VisibilityOptions& o)
 {
     Eigen::Vector2d known(m.box.length, m.box.width);
@@ -51,8 +64,10 @@ BoxMeasurement withSizes(const Measurement& m, const Eigen::Vector2d& sensor,
     constexpr double kLargeWidthSigma = 0.3;
     if (o.assumeVehicleSize && couldBeACar(m))
     {
-        known = {o.carLength, o.carWidth};
-        sigma = {o.carLengthSigma, o.carWidthSigma};
+        const AssumedSize length = lengthOfHeight(height, o);
+        const AssumedSize width = widthOfHeight(height, o);
+        known = {length.metres, width.metres};
+        sigma = {length.sigma, width.sigma};
     }
     else if (o.assumeVehicleSize && m.facesSeen.seesSide() && !m.facesSeen.seesEnd() &&
              m.box.length > kLongSide)
@@ -63,8 +78,8 @@ BoxMeasurement withSizes(const Measurement& m, const Eigen::Vector2d& sensor,
     else if (o.assumeVehicleSize && m.facesSeen.seesEnd() && !m.facesSeen.seesSide() &&
              m.box.width > kWidestCar && m.box.width < kWidestTruck)
     {
-        known.x() = kTruckLength;
-        sigma.x() = kTruckLengthSigma;
+        known.x() = kTruckLength.metres;
+        sigma.x() = kTruckLength.sigma;
     }
     BoxMeasurement box = boxThrough(m, faceErrors(m, o), known, sensor, o);
     box = withKnown(box, 3, known.x(), sigma.x() * sigma.x());
@@ -77,12 +92,12 @@ SizesTold SizesTold::with(const Measurement& m) const
     return {length || locatesLength(m), width || locatesWidth(m)};
 }
 
-VehicleState grownToAVehicle(const VehicleState& predicted, const Measurement& m,
+VehicleState grownToAVehicle(const VehicleState& predicted, const Measurement& m, double height,
                              const SizesTold& told, const VisibilityOptions& o)
 {
     if (!o.assumeVehicleSize || told.length || m.facesSeen.seesSide() || !locatesWidth(m))
         return predicted;
-    const auto behind = lengthBehind(std::min(m.box.width, predicted.width), o);
+    const auto behind = lengthBehind(std::min(m.box.width, predicted.width), height, o);
     if (!behind || behind->metres - predicted.mean(kLength) < behind->sigma) return predicted;
     const double side = m.facesSeen.has(Face::Back) ? 0.5 : -0.5;
     StateVector byFace = StateVector::Zero();
@@ -95,11 +110,11 @@ VehicleState grownToAVehicle(const VehicleState& predicted, const Measurement& m
     return next;
 }
 
-VehicleState startState(const Measurement& measurement, const Eigen::Vector2d& sensor,
-                        const StartSpeed& speed, const VisibilityOptions& visibility,
-                        const MotionOptions& motion)
+VehicleState startState(const Measurement& measurement, double height,
+                        const Eigen::Vector2d& sensor, const StartSpeed& speed,
+                        const VisibilityOptions& visibility, const MotionOptions& motion)
 {
-    const BoxMeasurement box = withSizes(measurement, sensor, visibility);
+    const BoxMeasurement box = withSizes(measurement, height, sensor, visibility);
     const double axis = motion.axisFractionSigma * box.box(3);
     constexpr double kCurvatureSigma = 0.05;  // 1/m
     VehicleState state;

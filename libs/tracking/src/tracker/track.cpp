@@ -39,7 +39,7 @@ Track startedTrack(std::uint64_t id, const Sighting& sighting, const StartSpeed&
     Track track;
     track.id = id;
     const VehicleState seen =
-        startState(m, sighting.sensor, speed, options.visibility, options.motion);
+        startState(m, sighting.height, sighting.sensor, speed, options.visibility, options.motion);
     track.state = stateAt(seen, -sighting.lag, options.motion);
     track.hypotheses = hypothesesFrom(track.state, options.motion);
     track.groundZ = sighting.groundZ;
@@ -62,8 +62,9 @@ Track sightedTrack(Track track, const Sighting& sighting, VehicleKalmanFilter& f
     const Measurement m = alignedWith(
         sighting.measurement, stateAt(track.state, sighting.lag, options.motion).mean(kHeading));
     MotionHypotheses hypotheses = track.hypotheses;
-    hypotheses.forEach([&](const VehicleState& state)
-                       { return grownToAVehicle(state, m, track.told, visibility); });
+    hypotheses.forEach(
+        [&](const VehicleState& state)
+        { return grownToAVehicle(state, m, sighting.height, track.told, visibility); });
     const VehicleState then =
         stateAt(hypotheses.combined(options.motion), sighting.lag, options.motion);
     BoxMeasurement box =

@@ -14,11 +14,12 @@ struct StartSpeed
 };
 
 /// State from a first measurement, with the axle at its prior.
-/// Sizes are those measured, after a car's where that fits (assumeVehicleSize). World frame, also
-/// for the sensor.
-VehicleState startState(const Measurement& measurement, const Eigen::Vector2d& sensor,
-                        const StartSpeed& speed, const VisibilityOptions& visibility,
-                        const MotionOptions& motion);
+/// Sizes are those measured, after those of a vehicle as high as the highest hit (`height`, m above
+/// the ground) where that fits (assumeVehicleSize): what is higher than a car is longer, and its
+/// length less certain. World frame, also for the sensor.
+VehicleState startState(const Measurement& measurement, double height,
+                        const Eigen::Vector2d& sensor, const StartSpeed& speed,
+                        const VisibilityOptions& visibility, const MotionOptions& motion);
 
 /// Which sizes of a vehicle have been seen from end to end.
 struct SizesTold
@@ -33,6 +34,7 @@ struct SizesTold
 /// is as wide as theirs: what was first seen in part, as behind a pole, shows only later that it is
 /// a vehicle. The end that is seen stays; centre and axle move with the other one.
 VehicleState grownToAVehicle(const VehicleState& predicted, const Measurement& measurement,
-                             const SizesTold& told, const VisibilityOptions& options);
+                             double height, const SizesTold& told,
+                             const VisibilityOptions& options);
 
 }  // namespace vdamf
