@@ -29,6 +29,23 @@ double withEvidence(double odds, double evidence, double frames, double repeats)
                           : std::min(odds, std::max(next, most));
 }
 
+// Logarithm of the sum of two numbers given by theirs.
+double logOfSum(double a, double b)
+{
+    return std::max(a, b) + std::log1p(std::exp(-std::abs(a - b)));
+}
+
+// The longest row of a face of late; nothing where no row of it was ever seen.
+std::optional<FaceExtent> longest(const std::optional<FaceExtent>& before,
+                                  const std::optional<FaceExtent>& now, double dt)
+{
+    constexpr double kForgotten = 0.3;  // m/s: rows may have been too long for once
+    if (!before) return now;
+    FaceExtent kept = *before;
+    kept.metres -= kForgotten * dt;
+    return now && now->metres >= kept.metres ? now : kept;
+}
+
 // Log odds that what moves does so with its front ahead.
 double frontEvidence(double forth)
 {
@@ -48,15 +65,32 @@ double axesEvidence(const HeadingCues& cues)
     return std::clamp(sum, -kSure, kSure);
 }
 
+HeadingBelief::HeadingBelief(const HeadingCues& cues)
+    : axes_(axesEvidence(cues)), longestEnd_(cues.end), longestSide_(cues.side)
+{
+}
+
 HeadingBelief HeadingBelief::after(const HeadingCues& cues) const
 {
     HeadingBelief next = *this;
     const double dt = std::min(cues.dt, kLongest);
     const double frames = kFrameRate * dt;
-    next.axes_ = withEvidence(axes_, axesEvidence(cues), frames, kRepeats);
+    next.longestEnd_ = longest(longestEnd_, cues.end, dt);
+    next.longestSide_ = longest(longestSide_, cues.side, dt);
+    HeadingCues sizes = cues;
+    if (cues.end) sizes.end = next.longestEnd_;
+    if (cues.side) sizes.side = next.longestSide_;
+    next.axes_ = withEvidence(axes_, axesEvidence(sizes), frames, kRepeats);
+    next.neighbours_ = cues.neighbours;
     const double forth = course_[0] - course_[2];
     if (std::abs(forth) < kKnown)
-        next.course_[2] -= withEvidence(forth, frontEvidence(cues.forth), frames, 1.0) - forth;
+    {
+        // Whichever way it moves along an axis, both ways together are as likely as before.
+        const double either = logOfSum(course_[0], course_[2]);
+        const double after = withEvidence(forth, frontEvidence(cues.forth), frames, 1.0);
+        next.course_[0] = either - logOfSum(0.0, -after);
+        next.course_[2] = either - logOfSum(0.0, after);
+    }
     for (std::size_t k = 0; cues.course && k < 4; ++k)
     {
         const double along = std::cos(cues.course->direction - 0.5 * kPi * static_cast<double>(k));
@@ -73,15 +107,16 @@ HeadingBelief HeadingBelief::after(const HeadingCues& cues) const
 std::array<double, 4> HeadingBelief::logs() const
 {
     std::array<double, 4> all = course_;
-    for (std::size_t k = 1; k < 4; k += 2) all[k] -= axes_;
+    for (std::size_t k = 1; k < 4; k += 2) all[k] -= axes_ + neighbours_;
     return all;
 }
 
 int HeadingBelief::turnDue(double logOdds) const
 {
     const std::array<double, 4> all = logs();
-    const auto best = std::max_element(all.begin(), all.end());
-    return *best - all[0] > logOdds ? static_cast<int>(best - all.begin()) : 0;
+    if (logOfSum(all[1], all[3]) - logOfSum(all[0], all[2]) > logOdds)
+        return all[1] >= all[3] ? 1 : 3;
+    return all[2] - all[0] > logOdds ? 2 : 0;
 }
 
 HeadingBelief HeadingBelief::turned(int quarters) const
@@ -90,7 +125,11 @@ HeadingBelief HeadingBelief::turned(int quarters) const
     for (int k = 0; k < 4; ++k)
         next.course_[static_cast<std::size_t>(k)] =
             course_[static_cast<std::size_t>((k + quarters % 4 + 4) % 4)];
-    next.axes_ = quarters % 2 == 0 ? axes_ : -axes_;
+    const double sign = quarters % 2 == 0 ? 1.0 : -1.0;
+    next.axes_ = sign * axes_;
+    next.longestEnd_ = quarters % 2 == 0 ? longestEnd_ : longestSide_;
+    next.longestSide_ = quarters % 2 == 0 ? longestSide_ : longestEnd_;
+    next.neighbours_ = sign * neighbours_;
     return next;
 }
 
@@ -104,6 +143,13 @@ double HeadingBelief::axesProbability() const
     const std::array<double, 4> all = logs();
     const double right = std::exp(all[0]) + std::exp(all[2]);
     return right / (right + std::exp(all[1]) + std::exp(all[3]));
+}
+
+double HeadingBelief::ownAxesProbability() const
+{
+    HeadingBelief alone = *this;
+    alone.neighbours_ = 0.0;
+    return alone.axesProbability();
 }
 
 }  // namespace vdamf

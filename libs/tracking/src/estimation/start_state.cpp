@@ -9,38 +9,51 @@ namespace vdamf
 {
 namespace
 {
-constexpr double kCarEnd = 1.3;       // m, the narrowest
-constexpr double kWidestCar = 2.3;    // m
+constexpr double kCarEnd = 1.3;     // m, the narrowest
+constexpr double kWidestCar = 2.3;  // m
+// The end of a truck or bus alone tells little of its length. What is as wide and low is none: the
+// part of a side, or no vehicle.
+constexpr double kTruckHeight = 2.0;  // m
 constexpr double kWidestTruck = 2.8;  // m
-constexpr double kLowest = 1.6;       // m, of what is taller than most cars
+constexpr double kTruckLength = 9.0;
+constexpr double kTruckLengthSigma = 2.0;
 
-struct AssumedSize
+struct Assumed
 {
     double metres = 0.0;
     double sigma = 0.0;
 };
 
-// Sizes that go with the height of the highest hit (m): by labels of Argoverse 2 and KITTI, each
-// metre above a car's roof adds so many to the mean and to the standard deviation.
-AssumedSize lengthOfHeight(double height, const VisibilityOptions& o)
+// Vans are higher, longer and wider than cars: by the height over that of a car, m per m, of the
+// labelled vehicles of KITTI and Argoverse 2 (255 below 2.5 m).
+constexpr double kCarHeight = 1.5;   // m
+constexpr double kHighestVan = 3.0;  // m
+constexpr Assumed kLonger{0.7, 0.6};
+constexpr Assumed kWider{0.3, 0.1};
+
+Assumed grownBy(const Assumed& size, const Assumed& perMetre, double height)
 {
-    const double over = std::max(0.0, height - kLowest);
-    return {o.carLength + 1.2 * over, o.carLengthSigma + 0.6 * over};
-}
-AssumedSize widthOfHeight(double height, const VisibilityOptions& o)
-{
-    const double over = std::max(0.0, height - kLowest);
-    return {o.carWidth + 0.4 * over, o.carWidthSigma + 0.1 * over};
+    const double more = std::clamp(height, kCarHeight, kHighestVan) - kCarHeight;
+    return {size.metres + perMetre.metres * more, std::hypot(size.sigma, perMetre.sigma * more)};
 }
 
-// The end of a truck or bus alone tells little of its length.
-constexpr AssumedSize kTruckLength{9.0, 2.0};
+Assumed carLength(double height, const VisibilityOptions& o)
+{
+    return grownBy({o.carLength, o.carLengthSigma}, kLonger, height);
+}
+
+Assumed carWidth(double height, const VisibilityOptions& o)
+{
+    return grownBy({o.carWidth, o.carWidthSigma}, kWider, height);
+}
 
 // Of the vehicle behind an end of that width and height (m).
-std::optional<AssumedSize> lengthBehind(double width, double height, const VisibilityOptions& o)
+std::optional<Assumed> lengthBehind(double width, double height, const VisibilityOptions& o)
 {
     if (width < kCarEnd || width > kWidestTruck) return std::nullopt;
-    return width < kWidestCar ? lengthOfHeight(height, o) : kTruckLength;
+    if (width < kWidestCar) return carLength(height, o);
+    if (height < kTruckHeight) return std::nullopt;
+    return Assumed{kTruckLength, kTruckLengthSigma};
 }
 
 // Ends and sides that could be a car's, or the part of one that is not hidden; what is not seen
@@ -64,8 +77,8 @@ BoxMeasurement withSizes(const Measurement& m, double height, const Eigen::Vecto
     constexpr double kLargeWidthSigma = 0.3;
     if (o.assumeVehicleSize && couldBeACar(m))
     {
-        const AssumedSize length = lengthOfHeight(height, o);
-        const AssumedSize width = widthOfHeight(height, o);
+        const Assumed length = carLength(height, o);
+        const Assumed width = carWidth(height, o);
         known = {length.metres, width.metres};
         sigma = {length.sigma, width.sigma};
     }
@@ -76,10 +89,13 @@ BoxMeasurement withSizes(const Measurement& m, double height, const Eigen::Vecto
         sigma.y() = kLargeWidthSigma;
     }
     else if (o.assumeVehicleSize && m.facesSeen.seesEnd() && !m.facesSeen.seesSide() &&
-             m.box.width > kWidestCar && m.box.width < kWidestTruck)
+             m.box.width > kWidestCar)
     {
-        known.x() = kTruckLength.metres;
-        sigma.x() = kTruckLength.sigma;
+        if (const auto behind = lengthBehind(m.box.width, height, o))
+        {
+            known.x() = behind->metres;
+            sigma.x() = behind->sigma;
+        }
     }
     BoxMeasurement box = boxThrough(m, faceErrors(m, o), known, sensor, o);
     box = withKnown(box, 3, known.x(), sigma.x() * sigma.x());

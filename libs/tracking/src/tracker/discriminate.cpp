@@ -30,16 +30,16 @@ Track Discriminator::judged(Track track, const SegmentedFrame& frame,
         view.clusters.push_back(&frame.clusters[k]);
         hits += frame.clusters[k].size();
     }
-    std::vector<float> features = objectFeatures(view, model().grid);
-    const double score = vehicleScore(model(), features);
+    const double score = objectScore(view, model());
     track.evidence = withFrame(track.evidence, frameLogOdds(model().frame, score, hits),
                                model().track, model().frame.prior);
-    if (options_.keepFeatures) track.features = std::move(features);
+    if (options_.keepFeatures) track.features = objectFeatures(view, model().grid);
     return track;
 }
 
-double Discriminator::probabilityOf(const Track& track) const
+double Discriminator::vehicleProbability(const Track& track) const
 {
+    if (options_.isOff()) return 0.5;
     return toProbability(trackLogOdds(track.evidence, model().track));
 }
 
@@ -47,13 +47,14 @@ bool Discriminator::rulesOut(const Track& track) const
 {
     constexpr int kSightings = 3;
     constexpr double kHardly = 0.1;  // probability
-    return !options_.isOff() && track.sightings >= kSightings && probabilityOf(track) < kHardly;
+    return !options_.isOff() && track.sightings >= kSightings &&
+           vehicleProbability(track) < kHardly;
 }
 
 TrackReport Discriminator::withProbability(TrackReport report, const Track& track) const
 {
     if (options_.isOff()) return report;
-    const double probability = probabilityOf(track);
+    const double probability = vehicleProbability(track);
     report.vehicleProbability = probability;
     report.isVehicle = probability >= options_.minProbability;
     return report;

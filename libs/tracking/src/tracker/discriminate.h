@@ -22,12 +22,14 @@ public:
     /// Whether the track is hardly a vehicle, by several frames.
     bool rulesOut(const Track& track) const;
 
+    /// By all frames of the track; 0.5 where nothing discriminates.
+    double vehicleProbability(const Track& track) const;
+
     /// The report with the track's probability.
     TrackReport withProbability(TrackReport report, const Track& track) const;
 
 private:
     const DiscriminatorModel& model() const;
-    double probabilityOf(const Track& track) const;
 
     DiscriminatorOptions options_;
 };

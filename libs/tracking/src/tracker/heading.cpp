@@ -17,8 +17,8 @@ constexpr double kCourseSpeed = 0.5;     // m/s
 constexpr double kLeastShare = 0.5;      // of the mean speed, in each half of a steady course
 // Log odds from which on length and width are exchanged, of young tracks and of others, and front
 // and rear.
-constexpr double kLikely = 1.0;
-constexpr double kDecisive = 5.0;
+constexpr double kLikely = 0.5;
+constexpr double kDecisive = 3.0;
 constexpr double kLikelyFront = 2.5;
 constexpr int kYoung = 10;  // sightings
 
@@ -210,20 +210,28 @@ HeadingCues sizeCues(const Sighting& sighting, double height)
 {
     // Rows of few hits break off before the face ends.
     constexpr double kFewHits = 30.0;
+    // What lies beside or close behind an end seems to hide more of it.
+    constexpr double kStillWhole = 0.25;
     const Measurement& m = sighting.measurement;
-    const double whole = m.hits / (m.hits + kFewHits);
+    const auto extentOf = [](const FaceRow& row, bool isWhole)
+    {
+        return FaceExtent{row.metres,
+                          (isWhole ? 1.0 : kStillWhole) * row.hits / (row.hits + kFewHits)};
+    };
     HeadingCues cues;
     cues.height = height;
-    if (m.facesSeen.seesSide()) cues.side = {sighting.extent.x(), locatesLength(m) ? whole : 0.0};
-    if (m.facesSeen.seesEnd()) cues.end = {sighting.extent.y(), locatesWidth(m) ? whole : 0.0};
+    if (m.facesSeen.seesSide()) cues.side = extentOf(sighting.side, locatesLength(m));
+    if (m.facesSeen.seesEnd()) cues.end = extentOf(sighting.end, locatesWidth(m));
     return cues;
 }
 
-Track withCheckedHeading(const Track& track, const Sighting& sighting,
+Track withCheckedHeading(const Track& track, const Sighting& sighting, double neighbours,
                          const TrackerOptions& options)
 {
     Track next = track;
-    next.front = track.front.after(cuesOf(track, sighting));
+    HeadingCues cues = cuesOf(track, sighting);
+    cues.neighbours = neighbours;
+    next.front = track.front.after(cues);
     int quarters = dueTurn(next.front, track.sightings < kYoung);
     if (quarters == 0) return next;
     if (quarters % 2 == 1) quarters = towardsPath(track, quarters);

@@ -101,12 +101,15 @@ std::vector<std::size_t> partners(const SegmentedFrame& frame, const std::vector
     return partner;
 }
 
-// With length and width exchanged where the sizes seen say so.
-Sighting withLikelierAxes(Sighting sighting)
+// With length and width exchanged where the sizes seen and the vehicles around say so.
+Sighting withLikelierAxes(Sighting sighting, const Neighbourhood& around)
 {
-    if (axesEvidence(sizeCues(sighting, sighting.height)) >= 0.0) return sighting;
+    constexpr std::uint64_t kNew = 0;
+    const double evidence = axesEvidence(sizeCues(sighting, sighting.height)) +
+                            around.axesEvidence(sighting.measurement.box, kNew);
+    if (evidence >= 0.0) return sighting;
     sighting.measurement = turnedBy(sighting.measurement, 1);
-    std::swap(sighting.extent.x(), sighting.extent.y());
+    std::swap(sighting.side, sighting.end);
     return sighting;
 }
 
@@ -140,7 +143,7 @@ std::vector<Start> startsAmong(const SegmentedFrame& frame, const std::vector<bo
 
 // Nothing for what is too large.
 std::optional<Sighting> firstSighting(const SegmentedFrame& frame, const Start& at,
-                                      const TrackerOptions& options)
+                                      const Neighbourhood& around, const TrackerOptions& options)
 {
     TargetMotion unknown;
     unknown.speedSigma = options.lifecycle.startSpeedSigma;
@@ -151,17 +154,18 @@ std::optional<Sighting> firstSighting(const SegmentedFrame& frame, const Start& 
                  options.measurement.fit);
     if (std::hypot(start.length, start.width) > options.lifecycle.maxExtent) return std::nullopt;
     return withLikelierAxes(
-        sightingOf(frame, {at.cluster}, seen, start, std::nullopt, options.measurement));
+        sightingOf(frame, {at.cluster}, seen, start, std::nullopt, options.measurement), around);
 }
 }  // namespace
 
 std::vector<Sighting> newSightings(const SegmentedFrame& frame, const std::vector<bool>& claimed,
-                                   const TrackerOptions& options, WorkerPool& workers)
+                                   const Neighbourhood& around, const TrackerOptions& options,
+                                   WorkerPool& workers)
 {
     const std::vector<Start> starts = startsAmong(frame, claimed, options.lifecycle);
     std::vector<std::optional<Sighting>> found(starts.size());
     workers.forEach(starts.size(), [&](std::size_t k, std::size_t)
-                    { found[k] = firstSighting(frame, starts[k], options); });
+                    { found[k] = firstSighting(frame, starts[k], around, options); });
     std::vector<Sighting> all;
     all.reserve(found.size());
     for (std::optional<Sighting>& one : found)

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "tracker/neighbourhood.h"
 #include "tracker/sighting.h"
 #include "tracker/worker_pool.h"
 #include "vdamf/tracking/tracker/tracker.h"
@@ -14,6 +15,7 @@ namespace vdamf
 /// of the seam of a turning scanner's revolution, near enough to be one target that moved between
 /// them, give one sighting, of the larger one.
 std::vector<Sighting> newSightings(const SegmentedFrame& frame, const std::vector<bool>& claimed,
-                                   const TrackerOptions& options, WorkerPool& workers);
+                                   const Neighbourhood& around, const TrackerOptions& options,
+                                   WorkerPool& workers);
 
 }  // namespace vdamf

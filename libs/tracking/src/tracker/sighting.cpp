@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "types/lanes.h"
 #include "types/wide_lanes.h"
@@ -69,25 +70,37 @@ Hits hitsOf(const SegmentedFrame& frame, const std::vector<std::size_t>& cluster
     return all;
 }
 
-Eigen::Vector2d extentOf(const Hits& hits, double heading)
+FaceRow rowAlongFace(const Hits& hits, const OrientedBox& box, const Eigen::Vector2d& sensor,
+                     int axis)
 {
-    Eigen::Vector2d extent = Eigen::Vector2d::Zero();
-    const std::size_t outermost = hits.size() / 100;
-    if (hits.size() == 0) return extent;
-    const Eigen::Matrix2d axes = rotation(heading);
-    std::vector<double> places(hits.size());
-    for (int axis = 0; axis < 2; ++axis)
+    constexpr double kInFront = 0.25;  // m, of the face
+    constexpr double kBehind = 0.45;   // m: where it is round
+    constexpr double kWideGap = 1.0;   // m: what goes on behind it is something else
+    const Eigen::Matrix2d axes = rotation(box.heading);
+    const Eigen::Vector2d outwards =
+        std::copysign(1.0, toBoxFrame(box, sensor)(axis)) * axes.col(axis);
+    const Eigen::Vector2d along = axes.col(1 - axis);
+    const double half = 0.5 * (axis == 0 ? box.length : box.width);
+    std::vector<std::pair<double, double>> places;  // along, weight
+    for (std::size_t i = 0; i < hits.size(); ++i)
     {
-        for (std::size_t i = 0; i < hits.size(); ++i)
-            places[i] = axes(0, axis) * hits.x[i] + axes(1, axis) * hits.y[i];
-        const auto low = places.begin() + static_cast<std::ptrdiff_t>(outermost);
-        const auto high = places.end() - 1 - static_cast<std::ptrdiff_t>(outermost);
-        std::nth_element(places.begin(), low, places.end());
-        const double lowest = *low;
-        std::nth_element(places.begin(), high, places.end());
-        extent(axis) = *high - lowest;
+        const Eigen::Vector2d p = Eigen::Vector2d(hits.x[i], hits.y[i]) - box.centre();
+        const double behind = half - outwards.dot(p);
+        if (behind > -kInFront && behind < kBehind)
+            places.emplace_back(along.dot(p), hits.weight[i]);
     }
-    return extent;
+    std::sort(places.begin(), places.end());
+    FaceRow best;
+    for (std::size_t first = 0, last = 0; first < places.size(); first = last)
+    {
+        FaceRow row;
+        do row.hits += places[last].second;
+        while (++last < places.size() && places[last].first < places[last - 1].first + kWideGap);
+        const std::size_t outermost = (last - first) / 100;
+        row.metres = places[last - 1 - outermost].first - places[first + outermost].first;
+        if (row.hits > best.hits) best = row;
+    }
+    return best;
 }
 
 Measurement goingOnTowards(const Measurement& measurement, const Eigen::Vector2d& point)
@@ -120,7 +133,8 @@ Sighting sightingOf(const SegmentedFrame& frame, const std::vector<std::size_t>&
                                   start, options, knownLengthWidth, effort);
     Measurement& m = s.measurement;
     m.hiddenEnds = hiddenEnds(m.box, m.facesSeen, sensor, frame.profile);
-    s.extent = extentOf(seen.hits, m.box.heading);
+    s.end = rowAlongFace(seen.hits, m.box, sensor, 0);
+    s.side = rowAlongFace(seen.hits, m.box, sensor, 1);
     if (seen.goesOn) m = goingOnTowards(m, *seen.goesOn);
 
     double ground = 0.0;

@@ -37,6 +37,13 @@ struct HitsAtOneTime
     std::optional<Eigen::Vector2d> goesOn;
 };
 
+/// Hits that go on along a face without a wide gap.
+struct FaceRow
+{
+    double metres = 0.0;  ///< from the first to the last
+    double hits = 0.0;
+};
+
 /// Hits of one target in one frame, and what they measured, relative to the frame's origin.
 struct Sighting
 {
@@ -45,9 +52,9 @@ struct Sighting
     Eigen::Vector2d sensor = Eigen::Vector2d::Zero();  ///< m
     std::vector<std::size_t> clusters;                 ///< of the frame, whose hits they are
     Measurement measurement;
-    Eigen::Vector2d extent = Eigen::Vector2d::Zero();  ///< of the hits along and across the box, m
-    double groundZ = 0.0;                              ///< local ground, m
-    double height = 0.0;                               ///< of the highest hit above it, m
+    FaceRow side, end;     ///< of the faces towards the sensor
+    double groundZ = 0.0;  ///< local ground, m
+    double height = 0.0;   ///< of the highest hit above it, m
 };
 
 /// Height of the highest hit above the local ground, m.
@@ -56,8 +63,10 @@ double heightOf(const Cluster& cluster);
 /// The hits of some of the frame's clusters together.
 Hits hitsOf(const SegmentedFrame& frame, const std::vector<std::size_t>& clusters);
 
-/// Extent of hits along and across a heading, m, but for the outermost hundredth.
-Eigen::Vector2d extentOf(const Hits& hits, double heading);
+/// The row of hits along the face of a box that lies towards the sensor across `axis` (0: length,
+/// so an end; 1: width, a side).
+FaceRow rowAlongFace(const Hits& hits, const OrientedBox& box, const Eigen::Vector2d& sensor,
+                     int axis);
 
 /// The measurement of a target that goes on towards a point (m, same frame) that it does not show:
 /// its end or side there is hidden.

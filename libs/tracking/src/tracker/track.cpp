@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tracker/existence.h"
+
 namespace vdamf
 {
 namespace
@@ -48,6 +50,7 @@ Track startedTrack(std::uint64_t id, const Sighting& sighting, const StartSpeed&
     track.lastSeen = sighting.time;
     track.seenFrom = sighting.sensor;
     track.told = SizesTold().with(m);
+    track.front = HeadingBelief(sizeCues(sighting, track.height));
     track.measurement = m;
     track.lastMatch = m.match;
     if (options.lifecycle.confirmHits <= 1) track.status = TrackStatus::Confirmed;
@@ -55,16 +58,15 @@ Track startedTrack(std::uint64_t id, const Sighting& sighting, const StartSpeed&
     return track;
 }
 
-Track sightedTrack(Track track, const Sighting& sighting, VehicleKalmanFilter& filter,
-                   const TrackerOptions& options)
+Track sightedTrack(Track track, const Sighting& sighting, double neighbours,
+                   VehicleKalmanFilter& filter, const TrackerOptions& options)
 {
     const VisibilityOptions& visibility = options.visibility;
     const Measurement m = alignedWith(
         sighting.measurement, stateAt(track.state, sighting.lag, options.motion).mean(kHeading));
     MotionHypotheses hypotheses = track.hypotheses;
-    hypotheses.forEach(
-        [&](const VehicleState& state)
-        { return grownToAVehicle(state, m, sighting.height, track.told, visibility); });
+    hypotheses.forEach([&](const VehicleState& state)
+                       { return grownToAVehicle(state, m, track.height, track.told, visibility); });
     const VehicleState then =
         stateAt(hypotheses.combined(options.motion), sighting.lag, options.motion);
     BoxMeasurement box =
@@ -87,13 +89,14 @@ Track sightedTrack(Track track, const Sighting& sighting, VehicleKalmanFilter& f
     ++track.sightings;
     track.misses = 0;
     track.lastSeen = sighting.time;
+    track = withHit(std::move(track), options.lifecycle);
     if (track.status == TrackStatus::Coasting || (track.status == TrackStatus::Tentative &&
                                                   track.sightings >= options.lifecycle.confirmHits))
         track.status = TrackStatus::Confirmed;
     const Vector5d& b = box.box;
     appendToPath(track,
                  {sighting.time + sighting.lag, {b(0), b(1), b(2), b(3), b(4)}, locatedFaces(m)});
-    return withCheckedHeading(track, sighting, options);
+    return withCheckedHeading(track, sighting, neighbours, options);
 }
 
 Track movedBy(Track track, const Eigen::Vector3d& by)

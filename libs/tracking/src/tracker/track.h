@@ -42,6 +42,7 @@ struct Track
     double height = 0.0;
     int sightings = 0;
     int misses = 0;          ///< frames since the last sighting
+    double existence = 0.5;  ///< probability that there is an object
     double lastSeen = 0.0;   ///< s
     double lastMatch = 0.0;  ///< response per hit of the last sighting, 1/m
     HeadingBelief front;
@@ -79,15 +80,16 @@ Track startedTrack(std::uint64_t id, const Sighting& sighting, const StartSpeed&
                    const TrackerOptions& options);
 
 /// The track after a sighting: visibility correction, Kalman update, heading checks.
-Track sightedTrack(Track track, const Sighting& sighting, VehicleKalmanFilter& filter,
-                   const TrackerOptions& options);
+/// `neighbours`: log odds for the axes held, by the vehicles around it.
+Track sightedTrack(Track track, const Sighting& sighting, double neighbours,
+                   VehicleKalmanFilter& filter, const TrackerOptions& options);
 
 /// What the faces that a sighting shows of a vehicle of that height (m) tell of its axes.
 HeadingCues sizeCues(const Sighting& sighting, double height);
 
 /// The track with its front where path and sizes say it is: exchanged with the rear or turned by a
 /// quarter once the odds for that are high. `sighting` is the one that was just taken in.
-Track withCheckedHeading(const Track& track, const Sighting& sighting,
+Track withCheckedHeading(const Track& track, const Sighting& sighting, double neighbours,
                          const TrackerOptions& options);
 
 /// The track with all positions moved (m), for a frame of another origin. What it has of the last

@@ -8,6 +8,8 @@
 
 #include "association/plane_index.h"
 #include "tracker/discriminate.h"
+#include "tracker/existence.h"
+#include "tracker/neighbourhood.h"
 #include "tracker/new_sightings.h"
 #include "tracker/one_time.h"
 #include "tracker/shared_cut.h"
@@ -44,7 +46,8 @@ public:
         enter(Stage::Measurement);
         const auto sightings = measureTracks(segmented, assignment);
         enter(Stage::Update);
-        updateTracks(frame.time, sightings);
+        updateTracks({frame.time, segmented.sensor, segmented.profile, FieldOfView(frame)},
+                     sightings);
         enter(Stage::NewTracks);
         assignment = startTracks(segmented, std::move(assignment));
         enter(Stage::Discrimination);
@@ -151,8 +154,9 @@ private:
                 false};
     }
 
-    void updateTracks(double time, const std::vector<std::optional<Sighting>>& sightings)
+    void updateTracks(const OpenView& view, const std::vector<std::optional<Sighting>>& sightings)
     {
+        const Neighbourhood around(tracks_, discriminator_);
         workers_.forEach(
             tracks_.size(),
             [&](std::size_t j, std::size_t worker)
@@ -160,22 +164,13 @@ private:
                 Track& track = tracks_[j];
                 if (sightings[j])
                     track = typeFilters_.judged(
-                        sightedTrack(std::move(track), *sightings[j], filters_[worker], options_),
+                        sightedTrack(std::move(track), *sightings[j],
+                                     around.axesEvidence(sightings[j]->measurement.box, track.id),
+                                     filters_[worker], options_),
                         *sightings[j]);
                 else
-                    miss(track, time);
+                    track = withMiss(std::move(track), view, options_.lifecycle);
             });
-    }
-
-    void miss(Track& track, double time) const
-    {
-        ++track.misses;
-        const LifecycleOptions& o = options_.lifecycle;
-        if (track.status == TrackStatus::Confirmed) track.status = TrackStatus::Coasting;
-        const bool lost = track.status == TrackStatus::Tentative
-                              ? track.misses >= o.tentativeMisses
-                              : time - track.lastSeen > o.maxCoast;
-        if (lost) track.status = TrackStatus::Ended;
     }
 
     // Returns the assignment with the new tracks.
@@ -186,7 +181,8 @@ private:
         for (const auto& taken : assignment)
             for (const std::size_t i : taken) claimed[i] = true;
         const StartSpeed speed{0.0, options_.lifecycle.startSpeedSigma};
-        for (const Sighting& s : newSightings(frame, claimed, options_, workers_))
+        const Neighbourhood around(tracks_, discriminator_);
+        for (const Sighting& s : newSightings(frame, claimed, around, options_, workers_))
         {
             tracks_.push_back(typeFilters_.judged(startedTrack(nextId_++, s, speed, options_), s));
             assignment.push_back(s.clusters);

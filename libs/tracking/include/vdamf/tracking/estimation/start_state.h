@@ -14,9 +14,8 @@ struct StartSpeed
 };
 
 /// State from a first measurement, with the axle at its prior.
-/// Sizes are those measured, after those of a vehicle as high as the highest hit (`height`, m above
-/// the ground) where that fits (assumeVehicleSize): what is higher than a car is longer, and its
-/// length less certain. World frame, also for the sensor.
+/// Sizes are those measured, after a car's where that fits (assumeVehicleSize). World frame, also
+/// for the sensor. `height`: of what is seen, m.
 VehicleState startState(const Measurement& measurement, double height,
                         const Eigen::Vector2d& sensor, const StartSpeed& speed,
                         const VisibilityOptions& visibility, const MotionOptions& motion);
@@ -33,6 +32,7 @@ struct SizesTold
 /// The predicted state, with a length that was never told taken from a car or a truck once its end
 /// is as wide as theirs: what was first seen in part, as behind a pole, shows only later that it is
 /// a vehicle. The end that is seen stays; centre and axle move with the other one.
+/// `height`: of what is seen, m.
 VehicleState grownToAVehicle(const VehicleState& predicted, const Measurement& measurement,
                              double height, const SizesTold& told,
                              const VisibilityOptions& options);
