@@ -15,8 +15,8 @@ constexpr double kWidestCar = 2.3;  // m
 // part of a side, or no vehicle.
 constexpr double kTruckHeight = 2.0;  // m
 constexpr double kWidestTruck = 2.8;  // m
-constexpr double kTruckLength = 8.0;
-constexpr double kTruckLengthSigma = 2.5;
+constexpr double kTruckLength = 9.0;
+constexpr double kTruckLengthSigma = 2.0;
 
 struct Assumed
 {
