@@ -36,7 +36,7 @@ struct Track
     VehicleState state;  ///< both together
     JitterShares jitter;
     Eigen::Matrix3d lastingError =
-        Eigen::Matrix3d::Zero();  ///< of the last sighting: x, y, heading
+        Eigen::Matrix3d::Zero();                         ///< of the last sighting: x, y, heading
     Eigen::Vector2d seenFrom = Eigen::Vector2d::Zero();  ///< sensor of the last frame, m
     double groundZ = 0.0;
     double height = 0.0;
@@ -47,6 +47,7 @@ struct Track
     double lastMatch = 0.0;  ///< response per hit of the last sighting, 1/m
     HeadingBelief front;
     SizesTold told;
+    OrientedBox around;                ///< the hits of the last sighting, in the frame of the box
     std::vector<PathPoint> path;       ///< sightings of the last seconds
     VehicleEvidence evidence;          ///< of the discriminator
     std::vector<double> typeEvidence;  ///< by filter of the bank, log-likelihoods
@@ -57,6 +58,8 @@ struct Track
     std::vector<float> features;  ///< where options ask for them
 
     OrientedBox box() const { return state.box(); }
+    /// Where its hits should be if it is as large as the last ones were.
+    OrientedBox boxOfHits() const;
     Eigen::Vector2d velocity() const  ///< of the centre, world, m/s
     {
         return rotation(state.mean(kHeading)) *

@@ -110,8 +110,11 @@ private:
         all.reserve(tracks_.size());
         for (const Track& track : tracks_)
         {
-            all.push_back({track.box(), track.boxSigma(), track.lengthSigma(),
-                           track.widthSigma(), track.velocity()});
+            // What is no vehicle is not as large as one either.
+            const bool isVehicle = !discriminator_.rulesOut(track);
+            all.push_back({isVehicle ? track.box() : track.boxOfHits(), track.boxSigma(),
+                           isVehicle ? track.lengthSigma() : 0.0,
+                           isVehicle ? track.widthSigma() : 0.0, track.velocity()});
         }
         return all;
     }
