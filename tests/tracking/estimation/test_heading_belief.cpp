@@ -120,6 +120,15 @@ TEST(HeadingBelief, DrivingAcrossTurnsByAQuarter)
     EXPECT_EQ(afterFrames({}, driving(-0.5 * kPi, 5.0), 6).turnDue(kDecisive), 3);
 }
 
+TEST(HeadingBelief, ACourseOutweighsSizesThatWereSeenForLong)
+{
+    HeadingCues sideOfABicycle = seen(std::nullopt, 1.8);
+    const HeadingBelief taken = afterFrames({}, sideOfABicycle, 100);
+    EXPECT_GT(taken.axesProbability(), 0.99);
+    sideOfABicycle.course = {0.5 * kPi, 5.0};
+    EXPECT_EQ(afterFrames(taken, sideOfABicycle, 10).turnDue(3.0), 1);
+}
+
 TEST(HeadingBelief, SidesTakenForEndsTurnByAQuarterAndNeverBack)
 {
     const HeadingBelief belief = afterFrames({}, seen(1.8, 4.3), 10);
