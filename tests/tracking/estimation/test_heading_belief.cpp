@@ -10,7 +10,7 @@ namespace vdamf
 {
 namespace
 {
-constexpr double kDecisive = 5.0;
+constexpr double kDecisive = 3.0;  // as for tracks that are not young
 
 HeadingCues driving(double direction, double speed)
 {
