@@ -60,14 +60,18 @@ struct Track
         return rotation(state.mean(kHeading)) *
                Eigen::Vector2d(state.mean(kSpeed), state.mean(kAxis) * state.yawRate());
     }
-    /// Of the centre along each axis, about, m. Beyond the greatest one what is there is no
+    /// Of the centre along each axis, about, m.
+    double positionSigma() const { return std::sqrt(0.5 * boxSigma().squaredNorm()); }
+    /// Of the centre along and across the box, m. Beyond the greatest ones what is there is no
     /// likelier this target than a new one.
-    double positionSigma() const
+    Eigen::Vector2d boxSigma() const
     {
         constexpr double kGreatest = 2.0;  // m
-        const auto position = state.covariance.topLeftCorner<2, 2>();
-        const double both = position.trace() + lastingError.topLeftCorner<2, 2>().trace();
-        return std::min(kGreatest, std::sqrt(0.5 * both));
+        const Eigen::Matrix2d axes = rotation(state.mean(kHeading));
+        const Eigen::Matrix2d position =
+            state.covariance.topLeftCorner<2, 2>() + lastingError.topLeftCorner<2, 2>();
+        const Eigen::Vector2d variances = (axes.transpose() * position * axes).diagonal();
+        return variances.cwiseMax(0.0).cwiseSqrt().cwiseMin(kGreatest);
     }
     double lengthSigma() const { return std::sqrt(state.covariance(kLength, kLength)); }
     double widthSigma() const { return std::sqrt(state.widthVariance); }

@@ -109,7 +109,7 @@ private:
         all.reserve(tracks_.size());
         for (const Track& track : tracks_)
         {
-            all.push_back({track.box(), track.positionSigma(), track.lengthSigma(),
+            all.push_back({track.box(), track.boxSigma(), track.lengthSigma(),
                            track.widthSigma(), track.velocity()});
         }
         return all;
