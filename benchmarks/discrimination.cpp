@@ -40,7 +40,7 @@ void judgeObject(benchmark::State& state)
     const DiscriminatorModel& model = defaultDiscriminatorModel();
     for (auto _ : state)
     {
-        const double score = vehicleScore(model, objectFeatures(view, model.grid));
+        const double score = objectScore(view, model);
         benchmark::DoNotOptimize(frameLogOdds(model.frame, score, cluster.size()));
     }
 }

@@ -2,18 +2,14 @@
 #include "classifier_command.h"
 
 #include "pictures.h"
-#include "vdamf/files/ini.h"
-#include "vdamf/files/output_file.h"
 
 namespace vdamf
 {
 void declareClassifier(CLI::App& command, ClassifierCommandLine& line)
 {
     TrainingOptions& training = line.job.training;
-    command
-        .add_option("recordings", line.recordings,
-                    "what to train and test on (ini, a section [recording NAME] each)")
-        ->required();
+    declareInputs(command, line.inputs, "recordings",
+                  "what to train and test on (ini, a section [recording NAME] each)");
     command.add_option("-o,--output", line.job.model, "model to write")->required();
     command.add_option("--plots", line.job.plots, "folder for pictures (SVG)");
     command.add_option("--held-out", line.job.heldOut,
@@ -22,9 +18,6 @@ void declareClassifier(CLI::App& command, ClassifierCommandLine& line)
         .add_option("--leave-out", line.job.leaveOut,
                     "recording or scene: told is also how a model trained without it does there "
                     "(repeatable)")
-        ->allow_extra_args(false);
-    command.add_option("-c,--config", line.config, "configuration of the tracker (ini)");
-    command.add_option("--set", line.set, "section.key=value over the recordings (repeatable)")
         ->allow_extra_args(false);
     command.add_option("--folds", training.folds, "of the cross-validation")
         ->check(CLI::Range(2, 50))
@@ -48,25 +41,16 @@ void declareClassifier(CLI::App& command, ClassifierCommandLine& line)
 ClassifierJob prepared(const ClassifierCommandLine& line)
 {
     ClassifierJob job = line.job;
-    IniDocument document = IniDocument::load(line.recordings);
-    for (const std::string& assignment : line.set) document.set(assignment);
-    job.recordings = readRecordings(document);
-    if (!line.config.empty()) job.configuration = readConfiguration(IniDocument::load(line.config));
+    job.recordings = readRecordings(readList(line.inputs));
+    job.configuration = readConfiguration(line.inputs);
     checkLeaveOut(job);
     job.version = VDAMF_VERSION;
-    std::vector<NamedInput> inputs = {{line.recordings, "the list of recordings"},
-                                      {line.config, "the configuration"}};
-    for (const Recording& recording : job.recordings)
-    {
-        inputs.push_back({recording.rawlog, "an input"});
-        inputs.push_back({recording.truth, "an input"});
-    }
     std::vector<std::filesystem::path> outputs = {job.model};
     if (!job.heldOut.empty()) outputs.push_back(job.heldOut);
     if (!job.plots.empty())
         for (const std::string& name : classifierPictureNames())
             outputs.push_back(job.plots / (name + ".svg"));
-    checkOutputPaths(outputs, inputs);
+    checkOutputPaths(outputs, namedInputs(line.inputs, job.recordings));
     return job;
 }
 

@@ -3,19 +3,15 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <filesystem>
-#include <string>
-#include <vector>
 
 #include "classifier.h"
+#include "training_inputs.h"
 
 namespace vdamf
 {
 struct ClassifierCommandLine
 {
-    std::filesystem::path recordings;
-    std::filesystem::path config;
-    std::vector<std::string> set;
+    TrainingInputs inputs;
     ClassifierJob job;
 };
 

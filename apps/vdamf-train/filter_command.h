@@ -3,19 +3,15 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <filesystem>
-#include <string>
-#include <vector>
 
 #include "filter.h"
+#include "training_inputs.h"
 
 namespace vdamf
 {
 struct FilterCommandLine
 {
-    std::filesystem::path sources;
-    std::filesystem::path config;
-    std::vector<std::string> set;
+    TrainingInputs inputs;
     FilterJob job;
 };
 

@@ -10,22 +10,7 @@ namespace vdamf
 {
 namespace
 {
-const std::string kRecording = "recording ";
 const std::string kSimulated = "simulated ";
-
-FilterRecording readRecording(IniReader& reader, const std::string& section,
-                              const std::filesystem::path& folder)
-{
-    FilterRecording r;
-    r.name = section.substr(kRecording.size());
-    reader.read(section, r.options);
-    reader.require(!r.options.rawlog.empty(),
-                   "[" + section + "] names no rawlog: add 'rawlog = ...'");
-    reader.require(!r.options.truth.empty(), "[" + section + "] names no truth: add 'truth = ...'");
-    r.rawlog = folder / r.options.rawlog;
-    r.truth = folder / r.options.truth;
-    return r;
-}
 
 SimulatedSource readSimulated(IniReader& reader, const std::string& section)
 {
@@ -49,14 +34,10 @@ FilterSources readFilterSources(const IniDocument& document)
 {
     IniReader reader(document);
     FilterSources sources;
-    const std::filesystem::path folder = std::filesystem::path(document.fileName()).parent_path();
+    sources.recordings = readRecordings<FilterRecordingOptions>(reader, document);
     for (const IniSection& section : document.sections())
-    {
-        if (section.name.rfind(kRecording, 0) == 0)
-            sources.recordings.push_back(readRecording(reader, section.name, folder));
-        else if (section.name.rfind(kSimulated, 0) == 0)
+        if (section.name.rfind(kSimulated, 0) == 0)
             sources.simulated.push_back(readSimulated(reader, section.name));
-    }
     reader.finish();
     if (sources.recordings.empty() && sources.simulated.empty())
         throw std::runtime_error(

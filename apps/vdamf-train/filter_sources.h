@@ -29,13 +29,7 @@ struct FilterRecordingOptions : RecordingOptions
     }
 };
 
-struct FilterRecording
-{
-    std::string name;
-    std::filesystem::path rawlog;
-    std::filesystem::path truth;
-    FilterRecordingOptions options;
-};
+using FilterRecording = RecordingWith<FilterRecordingOptions>;
 
 /// Section [simulated NAME].
 struct SimulatedOptions

@@ -56,15 +56,44 @@ struct RecordingOptions
     }
 };
 
-struct Recording
+/// `Options`: RecordingOptions, or with more keys.
+template <class Options>
+struct RecordingWith
 {
     std::string name;
     std::filesystem::path rawlog;
     std::filesystem::path truth;
-    RecordingOptions options;
+    Options options;
 };
 
-/// Throws IniError or std::runtime_error that names file and section.
+using Recording = RecordingWith<RecordingOptions>;
+
+/// All sections [recording NAME]. Throws IniError or std::runtime_error that names file and
+/// section.
+template <class Options>
+std::vector<RecordingWith<Options>> readRecordings(IniReader& reader, const IniDocument& document)
+{
+    const std::string prefix = "recording ";
+    const std::filesystem::path folder = std::filesystem::path(document.fileName()).parent_path();
+    std::vector<RecordingWith<Options>> recordings;
+    for (const IniSection& section : document.sections())
+    {
+        if (section.name.rfind(prefix, 0) != 0) continue;
+        RecordingWith<Options> r;
+        r.name = section.name.substr(prefix.size());
+        reader.read(section.name, r.options);
+        reader.require(!r.options.rawlog.empty(),
+                       "[" + section.name + "] names no rawlog: add 'rawlog = ...'");
+        reader.require(!r.options.truth.empty(),
+                       "[" + section.name + "] names no truth: add 'truth = ...'");
+        r.rawlog = folder / r.options.rawlog;
+        r.truth = folder / r.options.truth;
+        recordings.push_back(std::move(r));
+    }
+    return recordings;
+}
+
+/// A list of nothing else, with one at least. Throws as above.
 std::vector<Recording> readRecordings(const IniDocument& document);
 
 }  // namespace vdamf

@@ -8,6 +8,7 @@
 #include <numeric>
 #include <random>
 
+#include "vdamf/tracking/discrimination/classify.h"
 #include "vdamf/tracking/discrimination/features.h"
 
 namespace vdamf
@@ -253,6 +254,21 @@ TEST(Features, StayWithinZeroAndOneForOddViews)
             EXPECT_TRUE(f >= 0.0F && f <= 1.0F) << f;
         }
     }
+}
+
+TEST(ObjectScore, IsThatOfTheFeatures)
+{
+    Scene scene = sceneAt(10.0, 5.0, 0.4, kBehindLeft);
+    scene.view.clusters = {&scene.cluster};
+    const DiscriminatorModel& model = defaultDiscriminatorModel();
+    for (const bool planar : {false, true})
+    {
+        scene.view.planar = planar;
+        EXPECT_NEAR(objectScore(scene.view, model),
+                    vehicleScore(model, objectFeatures(scene.view, model.grid)), 1e-6);
+    }
+    scene.view.clusters.clear();
+    EXPECT_EQ(objectScore(scene.view, model), model.bias);
 }
 }  // namespace
 }  // namespace vdamf

@@ -87,8 +87,11 @@ TEST(ModelText, CutAnywhereIsRefused)
 TEST(ModelText, OfAnotherVersionIsRefused)
 {
     const std::string text = toText(exampleModel());
-    EXPECT_THAT(errorOf(replaced(text, "discriminator 1", "discriminator 2")),
-                AllOf(HasSubstr("m.txt:1:"), HasSubstr("another version")));
+    for (const char* other : {"discriminator 1", "discriminator 3", "discriminator 22"})
+        EXPECT_THAT(errorOf(replaced(text, "discriminator 2", other)),
+                    AllOf(HasSubstr("m.txt:1:"), HasSubstr(other), HasSubstr("another version"),
+                          HasSubstr("expected 'vdamf discriminator 2'"),
+                          HasSubstr("train the model again")));
     EXPECT_THAT(errorOf("[ground]\n" + text), HasSubstr("no discriminator"));
 }
 

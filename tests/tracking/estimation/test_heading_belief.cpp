@@ -39,8 +39,45 @@ TEST(HeadingBelief, KnowsNothingOfFrontAndRearAtFirst)
 {
     const HeadingBelief belief;
     EXPECT_DOUBLE_EQ(belief.forwardProbability(), 0.5);
-    EXPECT_GT(belief.axesProbability(), 0.8);
+    EXPECT_DOUBLE_EQ(belief.axesProbability(), 0.5);
     EXPECT_EQ(belief.turnDue(0.5), 0);
+}
+
+TEST(HeadingBelief, StartsFromWhatTheFirstSightingTellsOfTheAxes)
+{
+    EXPECT_GT(HeadingBelief(seen(4.3, 1.8)).axesProbability(), 0.95);
+    EXPECT_LT(HeadingBelief(seen(1.8, 4.3)).axesProbability(), 0.05);
+}
+
+TEST(HeadingBelief, NeighboursTellTheAxesWhileTheyAreThereAndSizesOutweighThem)
+{
+    HeadingCues across;
+    across.neighbours = -3.0;
+    const HeadingBelief among = afterFrames({}, across, 10);
+    EXPECT_LT(among.axesProbability(), 0.1);
+    EXPECT_DOUBLE_EQ(among.ownAxesProbability(), 0.5);
+    EXPECT_DOUBLE_EQ(among.turned(1).axesProbability(), 1.0 - among.axesProbability());
+    EXPECT_DOUBLE_EQ(among.after({}).axesProbability(), 0.5);
+    HeadingCues both = seen(4.3, 1.8);
+    both.neighbours = -3.0;
+    EXPECT_EQ(afterFrames({}, both, 10).turnDue(0.0), 0);
+}
+
+TEST(HeadingBelief, WhichWayItMovesAlongAnAxisTellsNothingOfTheAxes)
+{
+    HeadingCues backwards;
+    backwards.forth = 0.01;
+    EXPECT_NEAR(afterFrames({}, backwards, 20).axesProbability(), 0.5, 1e-9);
+}
+
+TEST(HeadingBelief, AShortRowAfterALongOneIsAPartOfIt)
+{
+    HeadingCues part;
+    part.end = {1.4, 0.2};
+    EXPECT_GT(afterFrames({}, part, 20).axesProbability(), 0.5);
+    HeadingCues once;
+    once.end = {3.8, 0.4};
+    EXPECT_LT(afterFrames(HeadingBelief().after(once), part, 5).axesProbability(), 0.05);
 }
 
 TEST(HeadingBelief, OneFrameTurnsNothing)

@@ -162,9 +162,10 @@ TEST(StartState, AssumesACarBehindACarsEnd)
 {
     const MotionOptions motion;
     const VisibilityOptions options;
-    const auto start = [&](double length, double width, const VisibilityOptions& o)
+    const auto start =
+        [&](double length, double width, const VisibilityOptions& o, double height = 1.5)
     {
-        return startState(measured({10, 0, 0, length, width}, faces({Face::Back})), {0, 0},
+        return startState(measured({10, 0, 0, length, width}, faces({Face::Back})), height, {0, 0},
                           {0.0, 8.0}, o, motion);
     };
     const VehicleState rear = start(1.0, 1.7, options);
@@ -175,9 +176,28 @@ TEST(StartState, AssumesACarBehindACarsEnd)
                 0.01);
     EXPECT_EQ(rear.covariance(kSpeed, kSpeed), 64.0);
     EXPECT_NEAR(start(0.9, 0.7, options).mean(kLength), 0.9, 1e-3);
+    const VehicleState van = start(1.0, 2.0, options, 2.3);
+    EXPECT_GT(van.mean(kLength), rear.mean(kLength) + 0.4);
+    EXPECT_GT(van.covariance(kLength, kLength), rear.covariance(kLength, kLength));
+    const VehicleState flat = start(1.0, 1.7, options, 0.6);
+    EXPECT_EQ(flat.mean(kLength), rear.mean(kLength)) << "no lower than a car: a part of it";
     VisibilityOptions plain;
     plain.assumeVehicleSize = false;
     EXPECT_NEAR(start(1.0, 1.7, plain).mean(kLength), 1.0, 1e-3);
+}
+
+// A minute of an end alone tells nothing of the length.
+TEST(FaceErrors, OfWhatIsNotToldNeverMakeALengthKnown)
+{
+    VehicleKalmanFilter filter{MotionOptions()};
+    const VisibilityOptions o;
+    const Measurement rear = measured({20.0, 0.0, 0.0, 1.2, 1.75}, faces({Face::Back}));
+    VehicleState state = startState(rear, 1.5, {0, 0}, {0.0, 0.1}, o, MotionOptions());
+    const double before = state.covariance(kLength, kLength);
+    for (int k = 0; k < 600; ++k)
+        state = filter.update(
+            state, boxThrough(rear, faceErrors(rear, state, o), state.size(), {0, 0}, o));
+    EXPECT_GT(state.covariance(kLength, kLength), 0.9 * before);
 }
 
 TEST(AlignedWith, TurnsFrontAndFaces)
@@ -199,20 +219,22 @@ TEST(GrownToAVehicle, LengthFollowsTheWidthOfTheEndAndTheRearStays)
     half.covariance.diagonal().setConstant(0.01);
     half.width = 1.7;
     const Measurement rear = measured({20.0, 0.0, 0.0, 1.2, 1.75}, faces({Face::Back}));
-    const VehicleState grown = grownToAVehicle(half, rear, SizesTold(), o);
+    const VehicleState grown = grownToAVehicle(half, rear, 1.5, SizesTold(), o);
     EXPECT_NEAR(grown.mean(kLength), o.carLength, 1e-9);
     EXPECT_NEAR(grown.mean(kX) - 0.5 * grown.mean(kLength), 20.0 - 0.6, 1e-9);
     EXPECT_NEAR(grown.mean(kAxis) - half.mean(kAxis), 0.5 * (o.carLength - 1.2), 1e-9);
     EXPECT_EQ(grown.mean(kSpeed), 8.0);
     EXPECT_GT(grown.covariance(kLength, kLength), 0.9 * o.carLengthSigma * o.carLengthSigma);
 
-    EXPECT_EQ(grownToAVehicle(half, rear, {true, true}, o).mean, half.mean) << "length is known";
+    EXPECT_EQ(grownToAVehicle(half, rear, 1.5, {true, true}, o).mean, half.mean)
+        << "length is known";
     half.width = 2.5;
     const Measurement truck = measured({20.0, 0.0, 0.0, 1.2, 2.5}, faces({Face::Back}));
-    EXPECT_GT(grownToAVehicle(half, truck, SizesTold(), o).mean(kLength), 6.0);
+    EXPECT_GT(grownToAVehicle(half, truck, 3.0, SizesTold(), o).mean(kLength), 6.0);
+    EXPECT_EQ(grownToAVehicle(half, truck, 1.5, SizesTold(), o).mean, half.mean) << "no truck";
     half.width = 0.6;
     const Measurement person = measured({20.0, 0.0, 0.0, 1.2, 0.6}, faces({Face::Back}));
-    EXPECT_EQ(grownToAVehicle(half, person, SizesTold(), o).mean, half.mean);
+    EXPECT_EQ(grownToAVehicle(half, person, 1.5, SizesTold(), o).mean, half.mean);
 }
 
 }  // namespace

@@ -5,62 +5,16 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
+
+#include "discrimination/spread.h"
+#include "types/lanes.h"
+#include "types/wide_lanes.h"
 
 namespace vdamf
 {
 namespace
 {
-/// How some numbers are spread, by counting in cells, which costs less than sorting.
-class Spread
-{
-public:
-    explicit Spread(const std::vector<float>& values) : size_(values.size())
-    {
-        const auto [min, max] = std::minmax_element(values.begin(), values.end());
-        min_ = *min;
-        max_ = *max;
-        width_ = (max_ - min_) / static_cast<float>(kCells - 1);
-        // Else they are all but equal, or so far apart that cells overflow.
-        isCounted_ = width_ > 1e-6F && width_ < 1e6F;
-        if (!isCounted_) return;
-        const float perMetre = 1.0F / width_;
-        for (const float v : values)
-        {
-            const auto cell = static_cast<std::size_t>((v - min_) * perMetre);
-            ++counts_[std::min(kCells - 1, cell)];
-        }
-    }
-
-    /// Lower edge of the cell with the value that this share of the others is below.
-    double above(double share) const
-    {
-        if (!isCounted_) return min_;
-        const auto beyond = static_cast<std::size_t>(share * static_cast<double>(size_));
-        std::size_t cell = 0;
-        for (std::size_t n = counts_[0]; n <= beyond; n += counts_[cell]) ++cell;
-        return min_ + width_ * static_cast<float>(cell);
-    }
-
-    /// Upper edge of the cell with the value that this share of the others is above.
-    double below(double share) const
-    {
-        if (!isCounted_) return max_;
-        const auto beyond = static_cast<std::size_t>(share * static_cast<double>(size_));
-        std::size_t cell = kCells - 1;
-        for (std::size_t n = counts_[cell]; n <= beyond; n += counts_[cell]) --cell;
-        return std::min(max_, min_ + width_ * static_cast<float>(cell + 1));
-    }
-
-private:
-    static constexpr std::size_t kCells = 512;
-    std::array<std::uint16_t, kCells> counts_{};
-    std::size_t size_;
-    float min_ = 0.0F;
-    float max_ = 0.0F;
-    float width_ = 0.0F;
-    bool isCounted_ = false;
-};
-
 /// Mean distance of the lowest and the highest hit over half a metre square.
 double columnsOf(const CanonicalHits& hits)
 {
@@ -69,24 +23,26 @@ double columnsOf(const CanonicalHits& hits)
     constexpr std::size_t kAlong = 48;
     constexpr std::size_t kAcross = 16;
     constexpr float kNone = 1e9F;
+    const std::vector<std::int32_t> along = cellNumbers(hits.x, -kBefore, kPerMetre, kAlong);
+    const std::vector<std::int32_t> across = cellNumbers(hits.y, -kBefore, kPerMetre, kAcross);
+    // Squares of other x have no hits.
+    const auto [least, greatest] = std::minmax_element(along.begin(), along.end());
+    const std::size_t first = static_cast<std::size_t>(*least) * kAcross;
+    const std::size_t end = static_cast<std::size_t>(*greatest + 1) * kAcross;
     std::array<float, kAlong * kAcross> low;
     std::array<float, kAlong * kAcross> high;
-    low.fill(kNone);
-    high.fill(-kNone);
-    const auto cellOf = [](float value, std::size_t cells)
-    {
-        return static_cast<std::size_t>(
-            std::clamp((value + kBefore) * kPerMetre, 0.0F, static_cast<float>(cells - 1)));
-    };
+    std::fill(low.data() + first, low.data() + end, kNone);
+    std::fill(high.data() + first, high.data() + end, -kNone);
     for (std::size_t i = 0; i < hits.size(); ++i)
     {
-        const std::size_t cell = cellOf(hits.x[i], kAlong) * kAcross + cellOf(hits.y[i], kAcross);
+        const auto cell =
+            static_cast<std::size_t>(along[i]) * kAcross + static_cast<std::size_t>(across[i]);
         low[cell] = std::min(low[cell], hits.z[i]);
         high[cell] = std::max(high[cell], hits.z[i]);
     }
     double sum = 0.0;
     double columns = 0.0;
-    for (std::size_t cell = 0; cell < low.size(); ++cell)
+    for (std::size_t cell = first; cell < end; ++cell)
     {
         if (high[cell] < low[cell]) continue;
         sum += static_cast<double>(high[cell] - low[cell]);
@@ -102,12 +58,6 @@ struct Moments
     double sum = 0.0;
     double squares = 0.0;
 
-    void add(double value)
-    {
-        count += 1.0;
-        sum += value;
-        squares += value * value;
-    }
     /// Sum of the squared distances from the mean.
     double scatter() const
     {
@@ -115,29 +65,66 @@ struct Moments
     }
 };
 
+/// Of hits below the windows, or of all.
+struct LowSums
+{
+    Moments fromSide, fromEnd;  // of those that are nearer to the one than to the other
+    double depth = 0.0;         // m, to the nearer one
+    double near = 0.0;
+};
+
+LowSums lowSums(const CanonicalHits& hits, float highest)
+{
+    constexpr float kNear = 0.15F;  // m
+    LowSums sums;
+    inWideLanes([
+        highest, px = hits.x.data(), py = hits.y.data(), pz = hits.z.data(), size = hits.size(),
+        result = &sums
+    ]() __attribute__((always_inline)) {
+        Floats sides{}, side{}, side2{}, ends{}, end{}, end2{}, depth{}, near{};
+        const auto add = [&](std::size_t first, std::size_t count) __attribute__((always_inline))
+        {
+            Floats x, y, z;
+            load(x, px + first, count);
+            load(y, py + first, count);
+            load(z, pz + first, count);
+            constexpr Floats kNumbers = {0, 1, 2, 3, 4, 5, 6, 7};
+            const Floats one = (z <= highest) & (kNumbers < static_cast<float>(count))
+                                   ? Floats{} + 1.0F
+                                   : Floats{};
+            const Floats far = x < 0.0F ? -x : x;
+            const Floats aside = y < 0.0F ? -y : y;
+            const Floats isSide = aside < far ? one : Floats{};
+            const Floats isEnd = one - isSide;
+            const Floats nearest = aside < far ? aside : far;
+            sides += isSide;
+            side += isSide * y;
+            side2 += isSide * (y * y);
+            ends += isEnd;
+            end += isEnd * x;
+            end2 += isEnd * (x * x);
+            depth += one * nearest;
+            near += nearest < kNear ? one : Floats{};
+        };
+        inGroupsOf<kLanes<Floats>>(size, add);
+        *result = {{sumOf(sides), sumOf(side), sumOf(side2)},
+                   {sumOf(ends), sumOf(end), sumOf(end2)},
+                   sumOf(depth),
+                   sumOf(near)};
+    });
+    return sums;
+}
+
 std::optional<Descriptors::LowHits> lowHitsOf(const CanonicalHits& hits, bool planar)
 {
     constexpr float kWindows = 0.95F;  // m
-    constexpr float kNear = 0.15F;     // m
     constexpr double kFewest = 4.0;
-    Moments fromSide;
-    Moments fromEnd;
-    double depth = 0.0;
-    double near = 0.0;
-    for (std::size_t i = 0; i < hits.size(); ++i)
-    {
-        if (!planar && hits.z[i] > kWindows) continue;
-        const float x = std::abs(hits.x[i]);
-        const float y = std::abs(hits.y[i]);
-        (y < x ? fromSide : fromEnd).add(y < x ? hits.y[i] : hits.x[i]);
-        depth += std::min(x, y);
-        near += std::min(x, y) < kNear ? 1.0 : 0.0;
-    }
-    const double count = fromSide.count + fromEnd.count;
+    const LowSums low = lowSums(hits, planar ? std::numeric_limits<float>::max() : kWindows);
+    const double count = low.fromSide.count + low.fromEnd.count;
     if (count < kFewest) return std::nullopt;
-    return Descriptors::LowHits{depth / count, near / count,
-                                std::sqrt((fromSide.scatter() + fromEnd.scatter()) / count),
-                                fromSide.count / count};
+    return Descriptors::LowHits{low.depth / count, low.near / count,
+                                std::sqrt((low.fromSide.scatter() + low.fromEnd.scatter()) / count),
+                                low.fromSide.count / count};
 }
 
 struct Silhouette
@@ -145,6 +132,19 @@ struct Silhouette
     double breadth = 0.0;   ///< m
     double coverage = 0.0;  ///< 0..1
 };
+
+std::vector<float> acrossSight(const CanonicalHits& hits, const Eigen::Vector2f& across)
+{
+    std::vector<float> offsets(hits.size());
+    inWideLanes([
+        ax = across.x(), ay = across.y(), x = hits.x.data(), y = hits.y.data(), size = hits.size(),
+        to = offsets.data()
+    ]() __attribute__((always_inline)) {
+        VDAMF_INDEPENDENT_LANES
+        for (std::size_t i = 0; i < size; ++i) to[i] = ax * x[i] + ay * y[i];
+    });
+    return offsets;
+}
 
 /// Hits across the line of sight in cells that are wider than the distance of two neighbouring rays
 /// of usual sensors at usual ranges.
@@ -156,18 +156,15 @@ Silhouette silhouetteOf(const CanonicalHits& hits)
     const Eigen::Vector2f across =
         Eigen::Vector2f(-static_cast<float>(hits.sensor.y()), static_cast<float>(hits.sensor.x()))
             .normalized();
-    std::vector<float> offsets;
-    offsets.reserve(hits.size());
-    for (std::size_t i = 0; i < hits.size(); ++i)
-        offsets.push_back(across.x() * hits.x[i] + across.y() * hits.y[i]);
-    const auto [min, max] = std::minmax_element(offsets.begin(), offsets.end());
+    const std::vector<float> offsets = acrossSight(hits, across);
+    const FloatRange range = rangeOf(offsets);
     std::array<bool, kCells> hasHit{};
-    const float first = *min;
-    for (const float offset : offsets)
-        hasHit[static_cast<std::size_t>(std::min(kLast, (offset - first) / kCell))] = true;
-    const std::size_t cells = 1 + static_cast<std::size_t>(std::min(kLast, (*max - first) / kCell));
+    for (const std::int32_t cell : cellNumbers(offsets, range.min, 1.0F / kCell, kCells))
+        hasHit[static_cast<std::size_t>(cell)] = true;
+    const std::size_t cells =
+        1 + static_cast<std::size_t>(std::min(kLast, (range.max - range.min) / kCell));
     const auto covered = std::count(hasHit.begin(), hasHit.end(), true);
-    return {static_cast<double>(*max - first),
+    return {static_cast<double>(range.max - range.min),
             static_cast<double>(covered) / static_cast<double>(cells)};
 }
 
@@ -193,15 +190,27 @@ void countOutside(Descriptors& d, const CanonicalHits& hits, const OrientedBox& 
     constexpr float kBefore = -0.15F;   // m
     constexpr double kBehind = 0.3;     // m
     constexpr float kAboveCars = 2.0F;  // m
-    const auto farX = static_cast<float>(box.length + kBehind);
-    const auto farY = static_cast<float>(box.width + kBehind);
+    std::array<std::int32_t, 3> counts{};
+    inWideLanes([
+        farX = static_cast<float>(box.length + kBehind),
+        farY = static_cast<float>(box.width + kBehind), x = hits.x.data(), y = hits.y.data(),
+        z = hits.z.data(), size = hits.size(), result = &counts
+    ]() __attribute__((always_inline)) {
+        std::int32_t before = 0;
+        std::int32_t behind = 0;
+        std::int32_t high = 0;
+        for (std::size_t i = 0; i < size; ++i)
+        {
+            before += (x[i] < kBefore) | (y[i] < kBefore) ? 1 : 0;
+            behind += (x[i] > farX) | (y[i] > farY) ? 1 : 0;
+            high += z[i] > kAboveCars ? 1 : 0;
+        }
+        *result = {before, behind, high};
+    });
     const double share = 1.0 / static_cast<double>(hits.size());
-    for (std::size_t i = 0; i < hits.size(); ++i)
-    {
-        d.outside += hits.x[i] < kBefore || hits.y[i] < kBefore ? share : 0.0;
-        d.beyond += hits.x[i] > farX || hits.y[i] > farY ? share : 0.0;
-        d.high += hits.z[i] > kAboveCars ? share : 0.0;
-    }
+    d.outside = share * counts[0];
+    d.beyond = share * counts[1];
+    d.high = share * counts[2];
 }
 }  // namespace
 

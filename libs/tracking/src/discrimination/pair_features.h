@@ -28,4 +28,7 @@ std::size_t pairFeatureCount();
 /// Adds an object's to `features`, pairFeatureCount() zeros.
 void putPairs(const Descriptors& descriptors, bool planar, float* features);
 
+/// Their sum with such weights, but for rounding of the features.
+double pairScore(const Descriptors& descriptors, bool planar, const double* weights);
+
 }  // namespace vdamf

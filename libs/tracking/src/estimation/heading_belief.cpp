@@ -35,6 +35,17 @@ double logOfSum(double a, double b)
     return std::max(a, b) + std::log1p(std::exp(-std::abs(a - b)));
 }
 
+// The longest row of a face of late; nothing where no row of it was ever seen.
+std::optional<FaceExtent> longest(const std::optional<FaceExtent>& before,
+                                  const std::optional<FaceExtent>& now, double dt)
+{
+    constexpr double kForgotten = 0.3;  // m/s: rows may have been too long for once
+    if (!before) return now;
+    FaceExtent kept = *before;
+    kept.metres -= kForgotten * dt;
+    return now && now->metres >= kept.metres ? now : kept;
+}
+
 // Log odds that what moves does so with its front ahead.
 double frontEvidence(double forth)
 {
@@ -54,12 +65,22 @@ double axesEvidence(const HeadingCues& cues)
     return std::clamp(sum, -kSure, kSure);
 }
 
+HeadingBelief::HeadingBelief(const HeadingCues& cues)
+    : axes_(axesEvidence(cues)), longestEnd_(cues.end), longestSide_(cues.side)
+{
+}
+
 HeadingBelief HeadingBelief::after(const HeadingCues& cues) const
 {
     HeadingBelief next = *this;
     const double dt = std::min(cues.dt, kLongest);
     const double frames = kFrameRate * dt;
-    next.axes_ = withEvidence(axes_, axesEvidence(cues), frames, kRepeats);
+    next.longestEnd_ = longest(longestEnd_, cues.end, dt);
+    next.longestSide_ = longest(longestSide_, cues.side, dt);
+    HeadingCues sizes = cues;
+    if (cues.end) sizes.end = next.longestEnd_;
+    if (cues.side) sizes.side = next.longestSide_;
+    next.axes_ = withEvidence(axes_, axesEvidence(sizes), frames, kRepeats);
     next.neighbours_ = cues.neighbours;
     const double forth = course_[0] - course_[2];
     if (std::abs(forth) < kKnown)
@@ -93,8 +114,9 @@ std::array<double, 4> HeadingBelief::logs() const
 int HeadingBelief::turnDue(double logOdds) const
 {
     const std::array<double, 4> all = logs();
-    const auto best = std::max_element(all.begin(), all.end());
-    return *best - all[0] > logOdds ? static_cast<int>(best - all.begin()) : 0;
+    if (logOfSum(all[1], all[3]) - logOfSum(all[0], all[2]) > logOdds)
+        return all[1] >= all[3] ? 1 : 3;
+    return all[2] - all[0] > logOdds ? 2 : 0;
 }
 
 HeadingBelief HeadingBelief::turned(int quarters) const
@@ -105,6 +127,8 @@ HeadingBelief HeadingBelief::turned(int quarters) const
             course_[static_cast<std::size_t>((k + quarters % 4 + 4) % 4)];
     const double sign = quarters % 2 == 0 ? 1.0 : -1.0;
     next.axes_ = sign * axes_;
+    next.longestEnd_ = quarters % 2 == 0 ? longestEnd_ : longestSide_;
+    next.longestSide_ = quarters % 2 == 0 ? longestSide_ : longestEnd_;
     next.neighbours_ = sign * neighbours_;
     return next;
 }

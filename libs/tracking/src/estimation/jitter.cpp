@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vdamf/tracking/estimation/jitter.h"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
@@ -26,32 +25,46 @@ Matrix5d toFixedPoint(const BoxMeasurement& m)
     return j;
 }
 
+// The other way round.
+Matrix5d fromFixedPoint(const BoxMeasurement& m)
+{
+    const Matrix5d there = toFixedPoint(m);
+    const Eigen::Matrix2d r = rotation(m.box(2));
+    Matrix5d j = Matrix5d::Identity();
+    j.topLeftCorner<2, 2>() = r;
+    j.topRightCorner<2, 3>() = -r * there.topRightCorner<2, 3>();
+    return j;
+}
+
+Matrix5d covarianceAtFixedPoint(const BoxMeasurement& m)
+{
+    const Matrix5d there = toFixedPoint(m);
+    return there * m.covariance * there.transpose();
+}
+
 // The covariance with the errors of the fixed point and the heading times `pose`, those of sizes
 // times `size`.
-Matrix5d scaled(const BoxMeasurement& m, const Eigen::Vector3d& pose, double size)
+Matrix5d scaled(const BoxMeasurement& m, const Matrix5d& atFixedPoint, const Eigen::Vector3d& pose,
+                double size)
 {
     Vector5d factors;
     factors << pose, size, size;
-    const Matrix5d there = toFixedPoint(m);
-    const Matrix5d j = there.inverse() * factors.asDiagonal() * there;
-    return j * m.covariance * j.transpose();
+    const Matrix5d back = fromFixedPoint(m) * factors.asDiagonal();
+    return back * atFixedPoint * back.transpose();
 }
 
 // What lasts is no larger than this: where a fit itself says that it does not know, as where a row
 // of hits may go on, its error comes and goes with the view.
-constexpr double kLastingPlace = 0.08;    // m
-constexpr double kLastingHeading = 0.01;  // rad
+constexpr double kLastingPlace = 0.05;     // m
+constexpr double kLastingHeading = 0.006;  // rad
 
-Eigen::Vector3d shareOfJitter(const BoxMeasurement& m, const JitterShares& shares)
+Eigen::Vector3d shareOfJitter(const Matrix5d& atFixedPoint, const JitterShares& shares)
 {
-    const Matrix5d there = toFixedPoint(m);
-    const Eigen::Vector3d variance =
-        (there * m.covariance * there.transpose()).diagonal().head<3>();
     Eigen::Vector3d share = shares.values();
     for (Eigen::Index k = 0; k < 3; ++k)
     {
         const double lasting = k == 2 ? kLastingHeading : kLastingPlace;
-        share(k) = std::max(share(k), 1.0 - lasting * lasting / variance(k));
+        share(k) = std::max(share(k), 1.0 - lasting * lasting / atFixedPoint(k, k));
     }
     return share;
 }
@@ -92,15 +105,17 @@ JitterShares JitterShares::after(const VehicleState& predicted, const BoxMeasure
 
 BoxMeasurement withJitterAlone(const BoxMeasurement& measurement, const JitterShares& shares)
 {
+    const Matrix5d whole = covarianceAtFixedPoint(measurement);
     BoxMeasurement m = measurement;
-    m.covariance = scaled(measurement, shareOfJitter(measurement, shares).cwiseSqrt(), 1.0);
+    m.covariance = scaled(measurement, whole, shareOfJitter(whole, shares).cwiseSqrt(), 1.0);
     return m;
 }
 
 Eigen::Matrix3d lastingError(const BoxMeasurement& measurement, const JitterShares& shares)
 {
-    const Eigen::Vector3d rest = Eigen::Vector3d::Ones() - shareOfJitter(measurement, shares);
-    return scaled(measurement, rest.cwiseSqrt(), 0.0).topLeftCorner<3, 3>();
+    const Matrix5d whole = covarianceAtFixedPoint(measurement);
+    const Eigen::Vector3d rest = Eigen::Vector3d::Ones() - shareOfJitter(whole, shares);
+    return scaled(measurement, whole, rest.cwiseSqrt(), 0.0).topLeftCorner<3, 3>();
 }
 
 }  // namespace vdamf

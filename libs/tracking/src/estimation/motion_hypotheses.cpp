@@ -12,7 +12,7 @@ namespace
 {
 constexpr double kRestTime = 1.6;  // s, in which vehicles that stand may start, or stop
 // Mean times, s, for which vehicles go on steadily, and for which they brake or turn.
-constexpr double kSteadyTime = 4.0;
+constexpr double kSteadyTime = 6.0;
 constexpr double kManoeuvreTime = 2.0;
 constexpr double kLeast = 0.02;         // of a probability: nothing is ruled out
 constexpr double kRefuted = 0.05;       // of the standing hypothesis
@@ -67,17 +67,31 @@ double bounded(double probability)
     return std::clamp(probability, kLeast, 1.0 - kLeast);
 }
 
+// How a hypothesis foretold a measurement.
+struct Surprise
+{
+    double nis = 0.0;
+    double logVolume = 0.0;  // of the innovation's covariance
+};
+
+Surprise surpriseOf(const VehicleState& state, const BoxMeasurement& measurement)
+{
+    const Innovation innovation = innovationOf(state, measurement);
+    return {innovation.nis(), std::log(innovation.covariance.determinant())};
+}
+
 // Likelihoods of a measurement by hypotheses, relative to the best one. What surprises all of them
 // says little: it counts for as much less as it lies outside the gate of the nearest one.
-std::vector<double> likelihoods(const std::vector<Innovation>& foretold, double gate)
+std::vector<double> likelihoods(const std::vector<Surprise>& foretold, double gate)
 {
     double nearest = gate;
     for (std::size_t i = 0; i < foretold.size(); ++i)
-        nearest = i == 0 ? foretold[i].nis() : std::min(nearest, foretold[i].nis());
+        nearest = i == 0 ? foretold[i].nis : std::min(nearest, foretold[i].nis);
     const double weight = std::min(1.0, gate / std::max(1e-9, nearest));
     std::vector<double> logs;
-    for (const Innovation& each : foretold)
-        logs.push_back(-0.5 * (weight * each.nis() + std::log(each.covariance.determinant())));
+    logs.reserve(foretold.size());
+    for (const Surprise& each : foretold)
+        logs.push_back(-0.5 * (weight * each.nis + each.logVolume));
     const double best = *std::max_element(logs.begin(), logs.end());
     for (double& each : logs) each = std::exp(std::max(each - best, -kMostEvidence));
     return logs;
@@ -90,20 +104,26 @@ struct Measured
     BoxMeasurement jitter;
 };
 
-// What a hypothesis foretold of it.
+// How hypotheses foretold it.
 struct Foretold
 {
-    Innovation whole, jitter;
+    std::vector<Surprise> whole, jitter;
+
+    void add(const VehicleState& then, const Measured& measured)
+    {
+        whole.push_back(surpriseOf(then, measured.whole));
+        jitter.push_back(surpriseOf(then, measured.jitter));
+    }
 };
 
 // What lies outside the gate is not jitter: the view has changed, or the vehicle did the
 // unexpected.
-VehicleState updatedState(const VehicleState& state, const Measured& measured,
-                          const Foretold& foretold, VehicleKalmanFilter& filter, double gate)
+VehicleState updatedState(const VehicleState& state, const Measured& measured, double wholeNis,
+                          double jitterNis, VehicleKalmanFilter& filter, double gate)
 {
-    if (foretold.jitter.nis() <= gate) return filter.update(state, measured.jitter);
+    if (jitterNis <= gate) return filter.update(state, measured.jitter);
     BoxMeasurement measurement = measured.whole;
-    if (foretold.whole.nis() > gate) measurement.covariance *= foretold.whole.nis() / gate;
+    if (wholeNis > gate) measurement.covariance *= wholeNis / gate;
     return filter.update(state, measurement);
 }
 
@@ -124,7 +144,7 @@ struct Rest
     double free = 0.0;
 };
 
-Rest restOf(const MotionHypotheses& h, const std::vector<Innovation>& foretold, double gate)
+Rest restOf(const MotionHypotheses& h, const std::vector<Surprise>& foretold, double gate)
 {
     const std::vector<double> likelihood = likelihoods(foretold, gate);
     const double wheels =
@@ -200,15 +220,15 @@ MotionHypotheses predicted(const MotionHypotheses& h, double dt, VehicleKalmanFi
     return next;
 }
 
-MotionHypotheses drifted(const MotionHypotheses& h, const Eigen::Matrix3d& lastingError, double dt)
+MotionHypotheses drifted(const MotionHypotheses& h, const Eigen::Matrix3d& lastingError,
+                         double viewChange)
 {
-    constexpr double kViewTime = 1.2;  // s, after which a view is another one
     MotionHypotheses next = h;
     next.forEach(
         [&](VehicleState state)
         {
             state.covariance.topLeftCorner<3, 3>() +=
-                std::min(1.0, 2.0 * dt / kViewTime) * lastingError;
+                std::min(1.0, 2.0 * viewChange) * lastingError;
             return state;
         });
     return next;
@@ -218,20 +238,13 @@ MotionHypotheses updated(const MotionHypotheses& h, const BoxMeasurement& measur
                          const JitterShares& jitter, VehicleKalmanFilter& filter, double nisGate)
 {
     const Measured measured{measurement, withJitterAlone(measurement, jitter)};
-    std::vector<Innovation> whole;
-    std::vector<Innovation> sharp;
+    Foretold foretold;
     MotionHypotheses next = h;
-    const auto update = [&](VehicleState& state)
-    {
-        const VehicleState then = stateAt(state, measurement.lag, filter.options());
-        whole.push_back(innovationOf(then, measured.whole));
-        sharp.push_back(innovationOf(then, measured.jitter));
-        state = updatedState(state, measured, {whole.back(), sharp.back()}, filter, nisGate);
-    };
-    for (VehicleState* state : {&next.moving, &next.steady, &next.standing}) update(*state);
-    if (whole.front().nis() > nisGate)
-        next.moving.covariance(kSpeed, kSpeed) += kSurpriseSigma * kSurpriseSigma;
-    if (h.freeProbability > 0.0) update(next.free);
+    std::vector<VehicleState*> states{&next.moving, &next.steady, &next.standing};
+    if (h.freeProbability > 0.0) states.push_back(&next.free);
+    for (const VehicleState* state : states)
+        foretold.add(stateAt(*state, measurement.lag, filter.options()), measured);
+    const std::vector<Surprise>& sharp = foretold.jitter;
 
     const std::vector<double> manoeuvring = likelihoods({sharp[0], sharp[1]}, nisGate);
     const double steady = h.steadyProbability * manoeuvring[1];
@@ -239,12 +252,20 @@ MotionHypotheses updated(const MotionHypotheses& h, const BoxMeasurement& measur
     next.steadyProbability = bounded(steady / (steady + moving));
 
     const Rest rests = restOf(h, sharp, nisGate);
-    const Rest restsByAll = restOf(h, whole, nisGate);
+    const Rest restsByAll = restOf(h, foretold.whole, nisGate);
     // What stands seems to move as its view changes: jitter tells that it stands, and no more than
     // the whole error that it does not.
     next.standingProbability = bounded(std::max(rests.standing, restsByAll.standing));
     if (h.freeProbability > 0.0) next.freeProbability = bounded(restsByAll.free);
-    if (next.standingProbability < kRefuted)
+
+    const bool refuted = next.standingProbability < kRefuted;
+    for (std::size_t k = 0; k < states.size(); ++k)
+        if (states[k] != &next.standing || !refuted)
+            *states[k] = updatedState(*states[k], measured, foretold.whole[k].nis, sharp[k].nis,
+                                      filter, nisGate);
+    if (foretold.whole.front().nis > nisGate)
+        next.moving.covariance(kSpeed, kSpeed) += kSurpriseSigma * kSurpriseSigma;
+    if (refuted)
         next.standing = atRest(share(next.freeProbability) > 0.5
                                    ? variableAxisOf(next.free, next.moving, filter.options())
                                    : onWheels(next));

@@ -41,23 +41,29 @@ Displacement displacement(double s, double kappa, double d)
 // Accelerations and steering rates hold for about this long before they change, s.
 constexpr double kHold = 0.1;
 
-// How the state is moved, t seconds later, by a unit change now: g0 + g1 t + g2 t^2.
+// How x, y and heading are moved, t seconds later, by a unit change of another row now:
+// g1 t + g2 t^2.
 struct Influence
 {
-    StateVector g0, g1, g2;
+    Eigen::Vector3d g1, g2;
 };
 
-// Covariance from changes of unit variance per second over dt: the integral of g g^T.
-StateMatrix accumulated(const Influence& g, double dt)
+// Covariance from changes of that row of unit variance per second over dt: the integral of g g^T.
+StateMatrix accumulated(const Influence& g, StateRow row, double dt)
 {
-    const StateMatrix g01 = g.g0 * g.g1.transpose();
-    const StateMatrix g02 = g.g0 * g.g2.transpose();
-    const StateMatrix g12 = g.g1 * g.g2.transpose();
     const double dt2 = dt * dt;
-    return dt * (g.g0 * g.g0.transpose()) + dt2 / 2.0 * (g01 + g01.transpose()) +
-           dt2 * dt / 3.0 * (g02 + g02.transpose() + g.g1 * g.g1.transpose()) +
-           dt2 * dt2 / 4.0 * (g12 + g12.transpose()) +
-           dt2 * dt2 * dt / 5.0 * (g.g2 * g.g2.transpose());
+    // Worked out before they are scaled: symmetric to the last bit.
+    const Eigen::Matrix3d g11 = g.g1 * g.g1.transpose();
+    const Eigen::Matrix3d g12 = g.g1 * g.g2.transpose();
+    const Eigen::Matrix3d g22 = g.g2 * g.g2.transpose();
+    const Eigen::Vector3d withRow = dt2 / 2.0 * g.g1 + dt2 * dt / 3.0 * g.g2;
+    StateMatrix q = StateMatrix::Zero();
+    q.topLeftCorner<3, 3>() = dt2 * dt / 3.0 * g11 + dt2 * dt2 / 4.0 * (g12 + g12.transpose()) +
+                              dt2 * dt2 * dt / 5.0 * g22;
+    q.block<3, 1>(0, row) = withRow;
+    q.block<1, 3>(row, 0) = withRow.transpose();
+    q(row, row) = dt;
+    return q;
 }
 }  // namespace
 
@@ -108,16 +114,13 @@ StateMatrix processNoise(const StateVector& x, double step, const MotionOptions&
     // Of the direction halfway through the step.
     const Eigen::Matrix2d r = rotation(x(kHeading) + 0.5 * eta);
 
-    // A unit change of speed or curvature moves the state t seconds on by g1 t + g2 t^2, beside its
-    // own row.
     const double sign = step < 0.0 ? -1.0 : 1.0;
-    Influence speed{StateVector::Unit(kSpeed), StateVector::Zero(), StateVector::Zero()};
-    speed.g1.head<2>() = sign * (r * Eigen::Vector2d(1.0, d * kappa));
-    speed.g1(kHeading) = sign * kappa;
-    Influence curvature{StateVector::Unit(kCurvature), StateVector::Zero(), StateVector::Zero()};
-    curvature.g1.head<2>() = sign * (r * Eigen::Vector2d(0.0, d * v));
-    curvature.g1(kHeading) = sign * v;
-    curvature.g2.head<2>() = r * Eigen::Vector2d(0.0, 0.5 * v * v);
+    const Eigen::Vector2d bySpeed = r * Eigen::Vector2d(1.0, d * kappa);
+    const Eigen::Vector2d left = r.col(1);
+    const Influence speed{sign * Eigen::Vector3d(bySpeed.x(), bySpeed.y(), kappa),
+                          Eigen::Vector3d::Zero()};
+    const Influence curvature{sign * v * Eigen::Vector3d(d * left.x(), d * left.y(), 1.0),
+                              0.5 * v * v * Eigen::Vector3d(left.x(), left.y(), 0.0)};
 
     // Steering is bounded by the steering wheel's rate when slow and by lateral jerk when fast; a
     // vehicle that stands shows nothing of it, so its uncertainty must not grow there.
@@ -125,8 +128,9 @@ StateMatrix processNoise(const StateVector& x, double step, const MotionOptions&
         std::min(options.maxCurvatureRate, options.lateralJerk / std::max(v * v, 1e-6));
     const double moving = std::min(1.0, std::abs(v) / 0.5);
 
-    StateMatrix q = std::pow(options.accelerationSigma, 2) * kHold * accumulated(speed, dt) +
-                    rate * rate * moving * kHold * accumulated(curvature, dt);
+    StateMatrix q =
+        std::pow(options.accelerationSigma, 2) * kHold * accumulated(speed, kSpeed, dt) +
+        rate * rate * moving * kHold * accumulated(curvature, kCurvature, dt);
     q(kX, kX) += options.slipSigma * options.slipSigma * dt;
     q(kY, kY) += options.slipSigma * options.slipSigma * dt;
     q(kHeading, kHeading) += options.headingSigma * options.headingSigma * dt;

@@ -31,35 +31,81 @@ struct Peak
 class AxisBins
 {
 public:
-    // `bin` may be kBins: nowhere. Parts of turns in the two tables, as most hits share a few bins
-    // and each would wait for the one before it.
-    void add(std::size_t part, std::uint16_t bin, float weight)
+    // Each of the hits may lie in kBins: nowhere. They take turns in the two tables, as most of
+    // them share a few bins and each would wait for the one before it.
+    AxisBins(const std::vector<std::uint16_t>& bins, const std::vector<float>& weights)
     {
-        bins_[part][bin] += weight;
-        first_ = std::min(first_, bin);
-        last_ = std::max(last_, bin);
+        if (bins.empty()) return;
+        inWideLanes([ from = bins.data(), size = bins.size(), first = &first_, last = &last_ ]()
+                        __attribute__((always_inline)) {
+                            std::uint16_t least = kBins;
+                            std::uint16_t most = 0;
+                            for (std::size_t i = 0; i < size; ++i)
+                            {
+                                least = from[i] < least ? from[i] : least;
+                                most = from[i] > most ? from[i] : most;
+                            }
+                            *first = least;
+                            *last = most;
+                        });
+        for (auto& table : bins_)
+            std::fill(table.data() + first_ + kPadding - 1, table.data() + last_ + 2 * kPadding,
+                      0.0F);
+        std::size_t i = 0;
+        for (; i + 1 < bins.size(); i += 2)
+        {
+            bins_[0][bins[i] + kPadding] += weights[i];
+            bins_[1][bins[i + 1] + kPadding] += weights[i + 1];
+        }
+        if (i < bins.size()) bins_[0][bins[i] + kPadding] += weights[i];
     }
 
+    // Of equal ones the first.
     Peak peak() const
     {
-        float most = 0.0F;
-        std::size_t at = 0;
-        float before = 0.0F;
-        const std::size_t end = std::min<std::size_t>(last_ + 1U, kBins - 1);
-        for (std::size_t k = first_; k <= end; ++k)
+        Heaviest all;
+        inWideLanes([
+            first = std::max<std::size_t>(first_, 1),
+            end = std::min<std::size_t>(last_ + 2U, kBins), even = bins_[0].data() + kPadding,
+            odd = bins_[1].data() + kPadding, result = &all
+        ]() __attribute__((always_inline)) {
+            Heaviest heaviest;
+            for (std::size_t k = first; k < end; k += kLanes<Floats>)
+            {
+                Floats a, b, aBefore, bBefore;
+                load(a, even + k);
+                load(b, odd + k);
+                load(aBefore, even + k - 1);
+                load(bBefore, odd + k - 1);
+                const Floats both = (aBefore + bBefore) + (a + b);
+                const Floats at = static_cast<float>(k) + kNumbers;
+                const auto isNew = (both > heaviest.weight) & (at < static_cast<float>(end));
+                heaviest.weight = isNew ? both : heaviest.weight;
+                heaviest.at = isNew ? at : heaviest.at;
+            }
+            *result = heaviest;
+        });
+        std::size_t best = 0;
+        for (std::size_t k = 1; k < kLanes<Floats>; ++k)
         {
-            const float here = bins_[0][k] + bins_[1][k];
-            const float both = before + here;
-            before = here;
-            if (both <= most || k == 0) continue;
-            most = both;
-            at = k;
+            const bool isFirst = all.weight[k] == all.weight[best] && all.at[k] < all.at[best];
+            if (all.weight[k] > all.weight[best] || isFirst) best = k;
         }
-        return {kBin * static_cast<double>(at) - kMiddle, most};
+        return {kBin * static_cast<double>(all.at[best]) - kMiddle,
+                static_cast<double>(all.weight[best])};
     }
 
 private:
-    std::array<std::array<float, kBins + 1>, 2> bins_{};
+    static constexpr std::size_t kPadding = kLanes<Floats>;
+    static constexpr Floats kNumbers = {0, 1, 2, 3, 4, 5, 6, 7};
+    struct Heaviest
+    {
+        Floats weight{};
+        Floats at{};
+    };
+
+    // From the bin before first_ to those that a look at some of them reads behind last_.
+    std::array<std::array<float, kBins + 1 + 2 * kPadding>, 2> bins_;
     std::uint16_t first_ = kBins;
     std::uint16_t last_ = 0;
 };
@@ -69,13 +115,16 @@ class TurnedHits
 {
 public:
     TurnedHits(const Hits& hits, const Eigen::Vector2d& origin)
-        : x_(hits.size()), y_(hits.size()), binX_(hits.size()), binY_(hits.size())
+        : x_(hits.size()),
+          y_(hits.size()),
+          weight_(hits.weight.begin(), hits.weight.end()),
+          binX_(hits.size()),
+          binY_(hits.size())
     {
         for (std::size_t i = 0; i < hits.size(); ++i)
         {
             x_[i] = static_cast<float>(hits.x[i] - origin.x());
             y_[i] = static_cast<float>(hits.y[i] - origin.y());
-            weight_.push_back(static_cast<float>(hits.weight[i]));
         }
     }
 
@@ -103,14 +152,7 @@ public:
     // Along the heading and across it.
     std::pair<Peak, Peak> peaks() const
     {
-        AxisBins alongX;
-        AxisBins alongY;
-        for (std::size_t i = 0; i < weight_.size(); ++i)
-        {
-            alongX.add(i % 2, binX_[i], weight_[i]);
-            alongY.add(i % 2, binY_[i], weight_[i]);
-        }
-        return {alongX.peak(), alongY.peak()};
+        return {AxisBins(binX_, weight_).peak(), AxisBins(binY_, weight_).peak()};
     }
 
 private:

@@ -30,11 +30,10 @@ Track Discriminator::judged(Track track, const SegmentedFrame& frame,
         view.clusters.push_back(&frame.clusters[k]);
         hits += frame.clusters[k].size();
     }
-    std::vector<float> features = objectFeatures(view, model().grid);
-    const double score = vehicleScore(model(), features);
+    const double score = objectScore(view, model());
     track.evidence = withFrame(track.evidence, frameLogOdds(model().frame, score, hits),
                                model().track, model().frame.prior);
-    if (options_.keepFeatures) track.features = std::move(features);
+    if (options_.keepFeatures) track.features = objectFeatures(view, model().grid);
     return track;
 }
 

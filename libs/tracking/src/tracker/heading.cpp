@@ -17,8 +17,8 @@ constexpr double kCourseSpeed = 0.5;     // m/s
 constexpr double kLeastShare = 0.5;      // of the mean speed, in each half of a steady course
 // Log odds from which on length and width are exchanged, of young tracks and of others, and front
 // and rear.
-constexpr double kLikely = 1.0;
-constexpr double kDecisive = 5.0;
+constexpr double kLikely = 0.5;
+constexpr double kDecisive = 3.0;
 constexpr double kLikelyFront = 2.5;
 constexpr int kYoung = 10;  // sightings
 
@@ -155,6 +155,7 @@ Track quarterTurned(const Track& track, const Sighting& sighting, int quarters,
     Track next = track;
     next.state = fresh.state;
     next.measurement = fresh.measurement;
+    next.around = fresh.around;
     next.hypotheses = hypothesesFrom(next.state, options.motion);
     return next;
 }
@@ -186,6 +187,8 @@ Track reversed(const Track& track, const MotionOptions& motion)
     next.hypotheses.free.mean(kHeading) = wrapAngle(track.hypotheses.free.mean(kHeading) + kPi);
     next.state = next.hypotheses.combined(motion);
     next.measurement = alignedWith(*track.measurement, next.state.mean(kHeading));
+    next.around.x = -track.around.x;
+    next.around.y = -track.around.y;
     return next;
 }
 
@@ -210,9 +213,13 @@ HeadingCues sizeCues(const Sighting& sighting, double height)
 {
     // Rows of few hits break off before the face ends.
     constexpr double kFewHits = 30.0;
+    // What lies beside or close behind an end seems to hide more of it.
+    constexpr double kStillWhole = 0.25;
     const Measurement& m = sighting.measurement;
-    const auto extentOf = [](const FaceRow& row, bool isWhole) {
-        return FaceExtent{row.metres, isWhole ? row.hits / (row.hits + kFewHits) : 0.0};
+    const auto extentOf = [](const FaceRow& row, bool isWhole)
+    {
+        return FaceExtent{row.metres,
+                          (isWhole ? 1.0 : kStillWhole) * row.hits / (row.hits + kFewHits)};
     };
     HeadingCues cues;
     cues.height = height;

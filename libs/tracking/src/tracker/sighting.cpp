@@ -70,6 +70,21 @@ Hits hitsOf(const SegmentedFrame& frame, const std::vector<std::size_t>& cluster
     return all;
 }
 
+OrientedBox rectangleAround(const Hits& hits, double heading)
+{
+    const Eigen::Matrix2d axes = rotation(heading);
+    Eigen::Vector2d min = Eigen::Vector2d::Constant(1e30);
+    Eigen::Vector2d max = -min;
+    for (std::size_t i = 0; i < hits.size(); ++i)
+    {
+        const Eigen::Vector2d p = axes.transpose() * Eigen::Vector2d(hits.x[i], hits.y[i]);
+        min = min.cwiseMin(p);
+        max = max.cwiseMax(p);
+    }
+    const Eigen::Vector2d middle = axes * (0.5 * (min + max));
+    return {middle.x(), middle.y(), heading, max.x() - min.x(), max.y() - min.y()};
+}
+
 FaceRow rowAlongFace(const Hits& hits, const OrientedBox& box, const Eigen::Vector2d& sensor,
                      int axis)
 {
@@ -133,6 +148,7 @@ Sighting sightingOf(const SegmentedFrame& frame, const std::vector<std::size_t>&
                                   start, options, knownLengthWidth, effort);
     Measurement& m = s.measurement;
     m.hiddenEnds = hiddenEnds(m.box, m.facesSeen, sensor, frame.profile);
+    s.around = rectangleAround(seen.hits, m.box.heading);
     s.end = rowAlongFace(seen.hits, m.box, sensor, 0);
     s.side = rowAlongFace(seen.hits, m.box, sensor, 1);
     if (seen.goesOn) m = goingOnTowards(m, *seen.goesOn);

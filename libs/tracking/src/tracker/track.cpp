@@ -20,6 +20,13 @@ void appendToPath(Track& track, const PathPoint& point)
     track.path.erase(track.path.begin(), first);
 }
 
+// A box in the frame of another one.
+OrientedBox inFrameOf(const OrientedBox& frame, const OrientedBox& box)
+{
+    const Eigen::Vector2d centre = toBoxFrame(frame, box.centre());
+    return {centre.x(), centre.y(), wrapAngle(box.heading - frame.heading), box.length, box.width};
+}
+
 // The measurement as it would have been `lag` seconds before, at the time of the state.
 Measurement broughtTo(const VehicleState& state, const Measurement& measurement, double lag,
                       const MotionOptions& options)
@@ -34,6 +41,14 @@ Measurement broughtTo(const VehicleState& state, const Measurement& measurement,
 }
 }  // namespace
 
+OrientedBox Track::boxOfHits() const
+{
+    const OrientedBox pose = box();
+    const Eigen::Vector2d centre = pose.centre() + rotation(pose.heading) * around.centre();
+    return {centre.x(), centre.y(), wrapAngle(pose.heading + around.heading), around.length,
+            around.width};
+}
+
 Track startedTrack(std::uint64_t id, const Sighting& sighting, const StartSpeed& speed,
                    const TrackerOptions& options)
 {
@@ -41,14 +56,17 @@ Track startedTrack(std::uint64_t id, const Sighting& sighting, const StartSpeed&
     Track track;
     track.id = id;
     const VehicleState seen =
-        startState(m, sighting.sensor, speed, options.visibility, options.motion);
+        startState(m, sighting.height, sighting.sensor, speed, options.visibility, options.motion);
     track.state = stateAt(seen, -sighting.lag, options.motion);
     track.hypotheses = hypothesesFrom(track.state, options.motion);
     track.groundZ = sighting.groundZ;
     track.height = sighting.height;
     track.sightings = 1;
     track.lastSeen = sighting.time;
+    track.seenFrom = sighting.sensor;
     track.told = SizesTold().with(m);
+    track.around = inFrameOf(seen.box(), sighting.around);
+    track.front = HeadingBelief(sizeCues(sighting, track.height));
     track.measurement = m;
     track.lastMatch = m.match;
     if (options.lifecycle.confirmHits <= 1) track.status = TrackStatus::Confirmed;
@@ -64,7 +82,7 @@ Track sightedTrack(Track track, const Sighting& sighting, double neighbours,
         sighting.measurement, stateAt(track.state, sighting.lag, options.motion).mean(kHeading));
     MotionHypotheses hypotheses = track.hypotheses;
     hypotheses.forEach([&](const VehicleState& state)
-                       { return grownToAVehicle(state, m, track.told, visibility); });
+                       { return grownToAVehicle(state, m, track.height, track.told, visibility); });
     const VehicleState then =
         stateAt(hypotheses.combined(options.motion), sighting.lag, options.motion);
     BoxMeasurement box =
@@ -79,6 +97,7 @@ Track sightedTrack(Track track, const Sighting& sighting, double neighbours,
     track.hypotheses = updated(hypotheses, box, jitter, filter, options.lifecycle.nisGate);
     track.lastingError = lastingError(box, jitter);
     track.told = track.told.with(m);
+    track.around = inFrameOf(then.box(), sighting.around);
     track.state = track.hypotheses.combined(options.motion);
     track.measurement = m;
     track.lastMatch = m.match;
@@ -111,15 +130,19 @@ Track movedBy(Track track, const Eigen::Vector3d& by)
         point.box.x += by.x();
         point.box.y += by.y();
     }
+    track.seenFrom += by.head<2>();
     track.groundZ += by.z();
     return track;
 }
 
-Track predictedTrack(Track track, double dt, VehicleKalmanFilter& filter,
-                     const MotionOptions& options)
+Track predictedTrack(Track track, double dt, const Eigen::Vector2d& sensor,
+                     VehicleKalmanFilter& filter, const MotionOptions& options)
 {
-    track.hypotheses =
-        drifted(predicted(track.hypotheses, dt, filter, options), track.lastingError, dt);
+    const View before = viewOf(track.hypotheses.moving.box(), track.seenFrom);
+    track.hypotheses = predicted(track.hypotheses, dt, filter, options);
+    const View now = viewOf(track.hypotheses.moving.box(), sensor);
+    track.hypotheses = drifted(track.hypotheses, track.lastingError, changeOfView(before, now));
+    track.seenFrom = sensor;
     // Unseen, a vehicle is likelier to go straight on than to keep turning in a circle.
     constexpr double kTurnTime = 0.7;  // s
     if (track.misses > 0)
@@ -152,9 +175,11 @@ TrackReport reportOf(const Track& track, const VisibilityOptions& options,
     report.forwardProbability = track.front.forwardProbability();
     report.type = track.type;
     report.covariance = track.state.covariance.topLeftCorner<4, 4>();
-    const Eigen::Vector2d left = rotation(track.state.mean(kHeading)).col(1);
-    report.covariance.topLeftCorner<2, 2>() +=
-        0.25 * track.state.widthVariance * left * left.transpose();
+    const double size = std::pow(options.lastingSize, 2);
+    // The centre errs by half of what the length and the width do.
+    const Eigen::Matrix2d axes = rotation(track.state.mean(kHeading));
+    const Eigen::Vector2d bySize(0.25 * size, 0.25 * track.state.widthVariance);
+    report.covariance.topLeftCorner<2, 2>() += axes * bySize.asDiagonal() * axes.transpose();
     report.covariance.topLeftCorner<3, 3>() += track.lastingError;
     // What lasts of the measurements' errors is at least what the options say.
     const auto lacking = [](double least, double known)
@@ -162,7 +187,6 @@ TrackReport reportOf(const Track& track, const VisibilityOptions& options,
     const double position =
         lacking(options.lastingPosition, 0.5 * track.lastingError.topLeftCorner<2, 2>().trace());
     const double heading = lacking(options.lastingHeading, track.lastingError(2, 2));
-    const double size = std::pow(options.lastingSize, 2);
     report.covariance.diagonal() += Eigen::Vector4d(position, position, heading, 0.0);
     report.lengthVariance = track.state.covariance(kLength, kLength) + size;
     report.widthVariance = track.state.widthVariance + size;

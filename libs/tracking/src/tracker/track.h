@@ -14,6 +14,7 @@
 #include "vdamf/tracking/estimation/jitter.h"
 #include "vdamf/tracking/estimation/motion_hypotheses.h"
 #include "vdamf/tracking/estimation/start_state.h"
+#include "vdamf/tracking/estimation/view.h"
 #include "vdamf/tracking/tracker/tracker.h"
 
 namespace vdamf
@@ -35,7 +36,8 @@ struct Track
     VehicleState state;  ///< both together
     JitterShares jitter;
     Eigen::Matrix3d lastingError =
-        Eigen::Matrix3d::Zero();  ///< of the last sighting: x, y, heading
+        Eigen::Matrix3d::Zero();                         ///< of the last sighting: x, y, heading
+    Eigen::Vector2d seenFrom = Eigen::Vector2d::Zero();  ///< sensor of the last frame, m
     double groundZ = 0.0;
     double height = 0.0;
     int sightings = 0;
@@ -45,6 +47,7 @@ struct Track
     double lastMatch = 0.0;  ///< response per hit of the last sighting, 1/m
     HeadingBelief front;
     SizesTold told;
+    OrientedBox around;                ///< the hits of the last sighting, in the frame of the box
     std::vector<PathPoint> path;       ///< sightings of the last seconds
     VehicleEvidence evidence;          ///< of the discriminator
     std::vector<double> typeEvidence;  ///< by filter of the bank, log-likelihoods
@@ -55,6 +58,8 @@ struct Track
     std::vector<float> features;  ///< where options ask for them
 
     OrientedBox box() const { return state.box(); }
+    /// Where its hits should be if it is as large as the last ones were.
+    OrientedBox boxOfHits() const;
     Eigen::Vector2d velocity() const  ///< of the centre, world, m/s
     {
         return rotation(state.mean(kHeading)) *
@@ -98,9 +103,9 @@ Track withCheckedHeading(const Track& track, const Sighting& sighting, double ne
 /// frame stays as it is.
 Track movedBy(Track track, const Eigen::Vector3d& by);
 
-/// The track `dt` seconds later.
-Track predictedTrack(Track track, double dt, VehicleKalmanFilter& filter,
-                     const MotionOptions& options);
+/// The track `dt` seconds later, for a frame seen from `sensor`.
+Track predictedTrack(Track track, double dt, const Eigen::Vector2d& sensor,
+                     VehicleKalmanFilter& filter, const MotionOptions& options);
 
 /// In the world, where the track's origin is at `origin` (m).
 TrackReport reportOf(const Track& track, const VisibilityOptions& options,

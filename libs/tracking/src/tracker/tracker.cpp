@@ -95,11 +95,12 @@ private:
         const Eigen::Vector3d moved = origin_ - frame.origin;
         time_ = frame.time;
         origin_ = frame.origin;
+        const Eigen::Vector2d sensor = (frame.sensor - frame.origin).head<2>();
         workers_.forEach(tracks_.size(),
                          [&](std::size_t j, std::size_t worker)
                          {
                              tracks_[j] = predictedTrack(movedBy(std::move(tracks_[j]), moved), dt,
-                                                         filters_[worker], options_.motion);
+                                                         sensor, filters_[worker], options_.motion);
                          });
     }
 
@@ -109,8 +110,11 @@ private:
         all.reserve(tracks_.size());
         for (const Track& track : tracks_)
         {
-            all.push_back({track.box(), track.boxSigma(), track.lengthSigma(),
-                           track.widthSigma(), track.velocity()});
+            // What is no vehicle is not as large as one either.
+            const bool isVehicle = !discriminator_.rulesOut(track);
+            all.push_back({isVehicle ? track.box() : track.boxOfHits(), track.boxSigma(),
+                           isVehicle ? track.lengthSigma() : 0.0,
+                           isVehicle ? track.widthSigma() : 0.0, track.velocity()});
         }
         return all;
     }

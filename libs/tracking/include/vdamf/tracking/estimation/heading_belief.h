@@ -32,14 +32,17 @@ struct HeadingCues
     double neighbours = 0.0;         ///< log odds for the axes held, by the vehicles around it
 };
 
-/// Log odds that length and width are as they are held rather than exchanged, of one frame.
+/// Log odds that length and width are as they are held rather than exchanged, by the faces that one
+/// frame shows.
 double axesEvidence(const HeadingCues& cues);
 
 class HeadingBelief
 {
 public:
-    /// Nothing is known of front and rear; length and width are likelier right than exchanged.
+    /// Nothing is known.
     HeadingBelief() = default;
+    /// What the first sighting tells.
+    explicit HeadingBelief(const HeadingCues& cues);
 
     HeadingBelief after(const HeadingCues& cues) const;
 
@@ -64,7 +67,9 @@ private:
     /// for a constant.
     std::array<double, 4> course_{};
     /// By the sizes seen: log odds that length and width are not exchanged.
-    double axes_ = 2.0;
+    double axes_ = 0.0;
+    /// Longest rows of hits of late along ends and sides: shorter ones are parts of them.
+    std::optional<FaceExtent> longestEnd_, longestSide_;
     /// The same by the vehicles around it in the last frame.
     double neighbours_ = 0.0;
 };

@@ -15,10 +15,10 @@ struct StartSpeed
 
 /// State from a first measurement, with the axle at its prior.
 /// Sizes are those measured, after a car's where that fits (assumeVehicleSize). World frame, also
-/// for the sensor.
-VehicleState startState(const Measurement& measurement, const Eigen::Vector2d& sensor,
-                        const StartSpeed& speed, const VisibilityOptions& visibility,
-                        const MotionOptions& motion);
+/// for the sensor. `height`: of what is seen, m.
+VehicleState startState(const Measurement& measurement, double height,
+                        const Eigen::Vector2d& sensor, const StartSpeed& speed,
+                        const VisibilityOptions& visibility, const MotionOptions& motion);
 
 /// Which sizes of a vehicle have been seen from end to end.
 struct SizesTold
@@ -32,7 +32,9 @@ struct SizesTold
 /// The predicted state, with a length that was never told taken from a car or a truck once its end
 /// is as wide as theirs: what was first seen in part, as behind a pole, shows only later that it is
 /// a vehicle. The end that is seen stays; centre and axle move with the other one.
+/// `height`: of what is seen, m.
 VehicleState grownToAVehicle(const VehicleState& predicted, const Measurement& measurement,
-                             const SizesTold& told, const VisibilityOptions& options);
+                             double height, const SizesTold& told,
+                             const VisibilityOptions& options);
 
 }  // namespace vdamf

@@ -27,20 +27,20 @@ struct EnumNames<VisibilityCorrection>
 struct VisibilityOptions
 {
     VisibilityCorrection correction = VisibilityCorrection::Faces;
-    double positionFloor = 0.05;                     ///< m
+    double positionFloor = 0.04;                     ///< m
     double headingFloor = 0.2 * kPi / 180.0;         ///< rad
     double endOnlyHeadingFloor = 1.5 * kPi / 180.0;  ///< rad
     double unseenSigma = 0.5;                        ///< m
     double sizeSigma = 0.15;                         ///< m
     double shortfallSigma = 0.4;                     ///< m
-    double lastingPosition = 0.04;                   ///< m
-    double lastingHeading = 0.3 * kPi / 180.0;       ///< rad
+    double lastingPosition = 0.02;                   ///< m
+    double lastingHeading = 0.15 * kPi / 180.0;      ///< rad
     double lastingSize = 0.1;                        ///< m
     bool assumeVehicleSize = true;
-    double carLength = 4.3;       ///< m
-    double carLengthSigma = 0.5;  ///< m
-    double carWidth = 1.75;       ///< m
-    double carWidthSigma = 0.15;  ///< m
+    double carLength = 4.3;        ///< m
+    double carLengthSigma = 0.45;  ///< m
+    double carWidth = 1.75;        ///< m
+    double carWidthSigma = 0.15;   ///< m
 
     template <class Self, class Visitor>
     static void visit(Self& self, Visitor&& field)
@@ -101,7 +101,7 @@ struct FaceErrors
 {
     double sigma[2][2] = {};
 
-    static constexpr double kNotTold = 10.0;  ///< of a face that a measurement does not tell, m
+    static constexpr double kNotTold = 100.0;  ///< of a face that a measurement does not tell, m
     bool tells(int axis, int end) const { return sigma[axis][end] < kNotTold; }
 };
 
