@@ -80,10 +80,11 @@ TEST(HeadingBelief, AShortRowAfterALongOneIsAPartOfIt)
     EXPECT_LT(afterFrames(HeadingBelief().after(once), part, 5).axesProbability(), 0.05);
 }
 
-TEST(HeadingBelief, OneFrameTurnsNothing)
+TEST(HeadingBelief, OneFrameTurnsNothingThatWasKnown)
 {
     EXPECT_EQ(HeadingBelief().after(driving(kPi, 8.0)).turnDue(kDecisive), 0);
-    EXPECT_EQ(HeadingBelief().after(seen(1.7, 4.2)).turnDue(kDecisive), 0);
+    EXPECT_EQ(HeadingBelief(seen(4.3, 1.8)).after(seen(1.7, 4.2)).turnDue(kDecisive), 0);
+    EXPECT_EQ(afterFrames({}, seen(4.3, 1.8), 20).after(seen(1.7, 4.2)).turnDue(0.0), 0);
 }
 
 TEST(HeadingBelief, DrivingBackwardsForLongTurnsByHalf)
