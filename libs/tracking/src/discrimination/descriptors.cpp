@@ -5,11 +5,14 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 namespace vdamf
 {
 namespace
 {
+constexpr float kWindows = 0.95F;  // height of their lower edge, m
+
 /// How some numbers are spread, by counting in cells, which costs less than sorting.
 class Spread
 {
@@ -138,8 +141,7 @@ struct Moments
 
 std::optional<Descriptors::LowHits> lowHitsOf(const CanonicalHits& hits, bool planar)
 {
-    constexpr float kWindows = 0.95F;  // m
-    constexpr float kNear = 0.15F;     // m
+    constexpr float kNear = 0.15F;  // m
     constexpr double kFewest = 4.0;
     Moments fromSide;
     Moments fromEnd;
@@ -161,35 +163,19 @@ std::optional<Descriptors::LowHits> lowHitsOf(const CanonicalHits& hits, bool pl
                                 fromSide.count / count};
 }
 
-struct Silhouette
+/// Extent along y of the hits at some height; nothing where there are not two of them.
+std::optional<double> widthOf(const CanonicalHits& hits, float from, float to)
 {
-    double breadth = 0.0;   ///< m
-    double coverage = 0.0;  ///< 0..1
-};
-
-/// Hits across the line of sight in cells that are wider than the distance of two neighbouring rays
-/// of usual sensors at usual ranges.
-Silhouette silhouetteOf(const CanonicalHits& hits)
-{
-    constexpr std::size_t kCells = 128;
-    constexpr float kCell = 0.25F;  // m
-    constexpr float kLast = static_cast<float>(kCells - 1);
-    const Eigen::Vector2f across =
-        Eigen::Vector2f(-static_cast<float>(hits.sensor.y()), static_cast<float>(hits.sensor.x()))
-            .normalized();
-    std::vector<float> offsets;
-    offsets.reserve(hits.size());
+    float min = std::numeric_limits<float>::infinity();
+    float max = -min;
     for (std::size_t i = 0; i < hits.size(); ++i)
-        offsets.push_back(across.x() * hits.x[i] + across.y() * hits.y[i]);
-    const auto [min, max] = std::minmax_element(offsets.begin(), offsets.end());
-    std::array<bool, kCells> hasHit{};
-    const float first = *min;
-    for (const float offset : offsets)
-        hasHit[static_cast<std::size_t>(std::min(kLast, (offset - first) / kCell))] = true;
-    const std::size_t cells = 1 + static_cast<std::size_t>(std::min(kLast, (*max - first) / kCell));
-    const auto covered = std::count(hasHit.begin(), hasHit.end(), true);
-    return {static_cast<double>(*max - first),
-            static_cast<double>(covered) / static_cast<double>(cells)};
+    {
+        if (hits.z[i] < from || hits.z[i] >= to) continue;
+        min = std::min(min, hits.y[i]);
+        max = std::max(max, hits.y[i]);
+    }
+    if (!(min < max)) return std::nullopt;
+    return static_cast<double>(max - min);
 }
 
 /// Hits of the object beside those that a closed surface of its extent would have if the frame's
@@ -241,9 +227,9 @@ Descriptors describe(const CanonicalHits& hits, const ObjectView& view)
     d.middle = z.above(0.5);
     d.columns = columnsOf(hits, x.min(), x.max());
     countOutside(d, hits, view.box);
-    const Silhouette silhouette = silhouetteOf(hits);
-    d.breadth = silhouette.breadth;
-    d.coverage = silhouette.coverage;
+    d.silhouette = silhouetteOf(hits, view.planar);
+    d.lowWidth = widthOf(hits, 0.0F, kWindows);
+    d.highWidth = widthOf(hits, kWindows, std::numeric_limits<float>::infinity());
     d.density = densityOf(d, hits, view);
     d.bearing = std::atan2(std::abs(hits.sensor.y()), std::abs(hits.sensor.x()));
     d.match = view.match;
