@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <exception>
-#include <limits>
 #include <optional>
 #include <stdexcept>
 
@@ -77,15 +76,16 @@ std::vector<FigureView> targetViews(const Job& job, const std::vector<TruthRow>&
     return views;
 }
 
-/// One of each `count`-th part of the views: the middle one, or the one whose centre is known best.
-std::vector<FigureView> oneOfEachPart(const std::vector<FigureView>& views, std::size_t count,
-                                      bool best)
+enum class Choice
 {
-    const auto variance = [](const FigureView& view)
-    {
-        return view.measured.hits > 0 ? view.measured.covariance.topLeftCorner<2, 2>().trace()
-                                      : std::numeric_limits<double>::infinity();
-    };
+    Middle,
+    Longest  ///< the one whose fit is longest: it shows more than an end of the target
+};
+
+/// One of each `count`-th part of the views.
+std::vector<FigureView> oneOfEachPart(const std::vector<FigureView>& views, std::size_t count,
+                                      Choice choice)
+{
     std::vector<FigureView> chosen;
     for (std::size_t k = 0; k < count; ++k)
     {
@@ -94,10 +94,11 @@ std::vector<FigureView> oneOfEachPart(const std::vector<FigureView>& views, std:
         const auto first = at(2 * k);
         const auto end = at(2 * k + 2);
         if (first == end) continue;
-        chosen.push_back(best ? *std::min_element(first, end,
-                                                  [&](const FigureView& a, const FigureView& b)
-                                                  { return variance(a) < variance(b); })
-                              : *at(2 * k + 1));
+        const auto longest =
+            std::max_element(first, end,
+                             [](const FigureView& a, const FigureView& b)
+                             { return a.measured.box.length < b.measured.box.length; });
+        chosen.push_back(choice == Choice::Longest ? *longest : *at(2 * k + 1));
     }
     return chosen;
 }
@@ -117,7 +118,8 @@ std::optional<FigureView> clutterView(const Seen& seen, double groundZ)
 void drawWoods(const Job& job, const std::vector<TruthRow>& truth)
 {
     const std::vector<Seen> frames = framesOf(job);
-    std::vector<FigureView> views = oneOfEachPart(targetViews(job, truth, frames), 3, true);
+    std::vector<FigureView> views =
+        oneOfEachPart(targetViews(job, truth, frames), 3, Choice::Longest);
     const Seen& middle = frames[frames.size() / 2];
     const double groundZ = objectAt(truth, job.target, middle.frame.time).value().z;
     write(job.folder / "fig09_scene.svg", sceneSvg(middle.frame, middle.result));
@@ -133,7 +135,7 @@ void draw(const Job& job)
     const std::vector<TruthRow> truth = readTruth(job.truth);
     if (!job.isCircle) return drawWoods(job, truth);
     const std::vector<FigureView> views = targetViews(job, truth, framesOf(job));
-    write(job.folder / "fig08_circle.svg", viewsSvg(oneOfEachPart(views, 12, false), 4));
+    write(job.folder / "fig08_circle.svg", viewsSvg(oneOfEachPart(views, 12, Choice::Middle), 4));
 }
 }  // namespace
 }  // namespace vdamf

@@ -265,7 +265,7 @@ TEST(ObjectScore, IsThatOfTheFeatures)
     {
         scene.view.planar = planar;
         EXPECT_NEAR(objectScore(scene.view, model),
-                    vehicleScore(model, objectFeatures(scene.view, model.grid)), 1e-9);
+                    vehicleScore(model, objectFeatures(scene.view, model.grid)), 1e-6);
     }
     scene.view.clusters.clear();
     EXPECT_EQ(objectScore(scene.view, model), model.bias);

@@ -162,9 +162,10 @@ TEST(StartState, AssumesACarBehindACarsEnd)
 {
     const MotionOptions motion;
     const VisibilityOptions options;
-    const auto start = [&](double length, double width, const VisibilityOptions& o)
+    const auto start =
+        [&](double length, double width, const VisibilityOptions& o, double height = 1.5)
     {
-        return startState(measured({10, 0, 0, length, width}, faces({Face::Back})), 1.5, {0, 0},
+        return startState(measured({10, 0, 0, length, width}, faces({Face::Back})), height, {0, 0},
                           {0.0, 8.0}, o, motion);
     };
     const VehicleState rear = start(1.0, 1.7, options);
@@ -175,6 +176,11 @@ TEST(StartState, AssumesACarBehindACarsEnd)
                 0.01);
     EXPECT_EQ(rear.covariance(kSpeed, kSpeed), 64.0);
     EXPECT_NEAR(start(0.9, 0.7, options).mean(kLength), 0.9, 1e-3);
+    const VehicleState van = start(1.0, 2.0, options, 2.3);
+    EXPECT_GT(van.mean(kLength), rear.mean(kLength) + 0.4);
+    EXPECT_GT(van.covariance(kLength, kLength), rear.covariance(kLength, kLength));
+    const VehicleState flat = start(1.0, 1.7, options, 0.6);
+    EXPECT_EQ(flat.mean(kLength), rear.mean(kLength)) << "no lower than a car: a part of it";
     VisibilityOptions plain;
     plain.assumeVehicleSize = false;
     EXPECT_NEAR(start(1.0, 1.7, plain).mean(kLength), 1.0, 1e-3);

@@ -157,7 +157,7 @@ TEST(MatchResponse, GradientByHitEqualsDifferences)
     const OrientedBox box{12.2, 2.8, 0.7, 4.0, 1.7};
     const double phi = bearingToSensor(box, Eigen::Vector2d::Zero());
     const Hits hits = awkwardHits();
-    const auto analytic = gradientByHit(hits, shape, box, phi);
+    const auto analytic = responseByHit(hits, shape, box, phi).gradientByHit;
     ASSERT_EQ(analytic.size(), hits.size());
     for (std::size_t i = 0; i < hits.size(); i += 4)
     {

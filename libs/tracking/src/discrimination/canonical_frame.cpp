@@ -24,8 +24,9 @@ CanonicalHits toCanonicalFrame(const ObjectView& view, std::size_t maxHits)
     const auto s = static_cast<float>(std::sin(view.box.heading));
     const auto along = static_cast<float>(alongSign);
     const auto across = static_cast<float>(acrossSign);
-    for (std::vector<float>* axis : {&hits.x, &hits.y, &hits.z})
-        axis->reserve(hits.count / step + view.clusters.size());
+    const std::size_t most = hits.count / step + view.clusters.size();
+    for (std::vector<float>* axis : {&hits.x, &hits.y, &hits.z}) axis->resize(most);
+    std::size_t taken = 0;
     std::size_t next = 0;  // counts through all clusters, so that the choice is even
     for (const Cluster* cluster : view.clusters)
     {
@@ -34,13 +35,14 @@ CanonicalHits toCanonicalFrame(const ObjectView& view, std::size_t maxHits)
             const float dx = cluster->x[next] - static_cast<float>(view.box.x);
             const float dy = cluster->y[next] - static_cast<float>(view.box.y);
             const float z = cluster->height[next];
-            if (!std::isfinite(dx + dy + z)) continue;
-            hits.x.push_back(static_cast<float>(halfLength) - along * (c * dx + s * dy));
-            hits.y.push_back(static_cast<float>(halfWidth) - across * (c * dy - s * dx));
-            hits.z.push_back(z);
+            hits.x[taken] = static_cast<float>(halfLength) - along * (c * dx + s * dy);
+            hits.y[taken] = static_cast<float>(halfWidth) - across * (c * dy - s * dx);
+            hits.z[taken] = z;
+            taken += std::isfinite(dx + dy + z) ? 1 : 0;  // else the next one takes its place
         }
         next -= cluster->size();
     }
+    for (std::vector<float>* axis : {&hits.x, &hits.y, &hits.z}) axis->resize(taken);
     return hits;
 }
 

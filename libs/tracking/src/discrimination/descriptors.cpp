@@ -7,104 +7,38 @@
 #include <cstdint>
 #include <limits>
 
+#include "discrimination/spread.h"
+#include "types/lanes.h"
+#include "types/wide_lanes.h"
+
 namespace vdamf
 {
 namespace
 {
 constexpr float kWindows = 0.95F;  // height of their lower edge, m
 
-/// How some numbers are spread, by counting in cells, which costs less than sorting.
-class Spread
-{
-public:
-    explicit Spread(const std::vector<float>& values) : size_(values.size())
-    {
-        const auto [min, max] = std::minmax_element(values.begin(), values.end());
-        min_ = *min;
-        max_ = *max;
-        width_ = (max_ - min_) / static_cast<float>(kCells - 1);
-        // Else they are all but equal, or so far apart that cells overflow.
-        isCounted_ = width_ > 1e-6F && width_ < 1e6F;
-        if (!isCounted_) return;
-        const float perMetre = 1.0F / width_;
-        for (const float v : values)
-        {
-            const auto cell = static_cast<std::size_t>((v - min_) * perMetre);
-            const std::size_t within = std::min(kCells - 1, cell);
-            ++counts_[within];
-            ++blocks_[within / kBlock];
-        }
-    }
-
-    float min() const { return min_; }
-    float max() const { return max_; }
-
-    /// Lower edge of the cell with the value that this share of the others is below.
-    double above(double share) const
-    {
-        if (!isCounted_) return min_;
-        return min_ + width_ * static_cast<float>(cellOf(rankOf(share)));
-    }
-
-    /// Upper edge of the cell with the value that this share of the others is above.
-    double below(double share) const
-    {
-        if (!isCounted_) return max_;
-        const std::size_t cell = cellOf(size_ - 1 - rankOf(share));
-        return std::min(max_, min_ + width_ * static_cast<float>(cell + 1));
-    }
-
-private:
-    static constexpr std::size_t kCells = 512;
-    static constexpr std::size_t kBlock = 32;  // cells
-
-    std::size_t rankOf(double share) const
-    {
-        return static_cast<std::size_t>(share * static_cast<double>(size_));
-    }
-    /// Of the value with so many before it.
-    std::size_t cellOf(std::size_t rank) const
-    {
-        std::size_t before = 0;
-        std::size_t block = 0;
-        while (before + blocks_[block] <= rank) before += blocks_[block++];
-        std::size_t cell = block * kBlock;
-        while (before + counts_[cell] <= rank) before += counts_[cell++];
-        return cell;
-    }
-
-    std::array<std::uint16_t, kCells> counts_{};
-    std::array<std::uint16_t, kCells / kBlock> blocks_{};
-    std::size_t size_;
-    float min_ = 0.0F;
-    float max_ = 0.0F;
-    float width_ = 0.0F;
-    bool isCounted_ = false;
-};
-
 /// Mean distance of the lowest and the highest hit over half a metre square.
-double columnsOf(const CanonicalHits& hits, float least, float greatest)
+double columnsOf(const CanonicalHits& hits)
 {
     constexpr float kPerMetre = 2.0F;
     constexpr float kBefore = 2.25F;  // m, so that the near faces lie in the middle of squares
     constexpr std::size_t kAlong = 48;
     constexpr std::size_t kAcross = 16;
     constexpr float kNone = 1e9F;
-    const auto cellOf = [](float value, std::size_t cells)
-    {
-        return static_cast<std::size_t>(
-            std::clamp((value + kBefore) * kPerMetre, 0.0F, static_cast<float>(cells - 1)));
-    };
+    const std::vector<std::int32_t> along = cellNumbers(hits.x, -kBefore, kPerMetre, kAlong);
+    const std::vector<std::int32_t> across = cellNumbers(hits.y, -kBefore, kPerMetre, kAcross);
     // Squares of other x have no hits.
-    const std::size_t first = cellOf(least, kAlong) * kAcross;
-    const std::size_t end = (cellOf(greatest, kAlong) + 1) * kAcross;
+    const auto [least, greatest] = std::minmax_element(along.begin(), along.end());
+    const std::size_t first = static_cast<std::size_t>(*least) * kAcross;
+    const std::size_t end = static_cast<std::size_t>(*greatest + 1) * kAcross;
     std::array<float, kAlong * kAcross> low;
     std::array<float, kAlong * kAcross> high;
-    std::fill(low.begin() + first, low.begin() + end, kNone);
-    std::fill(high.begin() + first, high.begin() + end, -kNone);
+    std::fill(low.data() + first, low.data() + end, kNone);
+    std::fill(high.data() + first, high.data() + end, -kNone);
     for (std::size_t i = 0; i < hits.size(); ++i)
     {
-        const std::size_t cell = cellOf(hits.x[i], kAlong) * kAcross + cellOf(hits.y[i], kAcross);
+        const auto cell =
+            static_cast<std::size_t>(along[i]) * kAcross + static_cast<std::size_t>(across[i]);
         low[cell] = std::min(low[cell], hits.z[i]);
         high[cell] = std::max(high[cell], hits.z[i]);
     }
@@ -126,12 +60,6 @@ struct Moments
     double sum = 0.0;
     double squares = 0.0;
 
-    void add(double value)
-    {
-        count += 1.0;
-        sum += value;
-        squares += value * value;
-    }
     /// Sum of the squared distances from the mean.
     double scatter() const
     {
@@ -139,28 +67,65 @@ struct Moments
     }
 };
 
-std::optional<Descriptors::LowHits> lowHitsOf(const CanonicalHits& hits, bool planar)
+/// Of hits below the windows, or of all.
+struct LowSums
+{
+    Moments fromSide, fromEnd;  // of those that are nearer to the one than to the other
+    double depth = 0.0;         // m, to the nearer one
+    double near = 0.0;
+};
+
+LowSums lowSums(const CanonicalHits& hits, float highest)
 {
     constexpr float kNear = 0.15F;  // m
+    LowSums sums;
+    inWideLanes([
+        highest, px = hits.x.data(), py = hits.y.data(), pz = hits.z.data(), size = hits.size(),
+        result = &sums
+    ]() __attribute__((always_inline)) {
+        Floats sides{}, side{}, side2{}, ends{}, end{}, end2{}, depth{}, near{};
+        const auto add = [&](std::size_t first, std::size_t count) __attribute__((always_inline))
+        {
+            Floats x, y, z;
+            load(x, px + first, count);
+            load(y, py + first, count);
+            load(z, pz + first, count);
+            constexpr Floats kNumbers = {0, 1, 2, 3, 4, 5, 6, 7};
+            const Floats one = (z <= highest) & (kNumbers < static_cast<float>(count))
+                                   ? Floats{} + 1.0F
+                                   : Floats{};
+            const Floats far = x < 0.0F ? -x : x;
+            const Floats aside = y < 0.0F ? -y : y;
+            const Floats isSide = aside < far ? one : Floats{};
+            const Floats isEnd = one - isSide;
+            const Floats nearest = aside < far ? aside : far;
+            sides += isSide;
+            side += isSide * y;
+            side2 += isSide * (y * y);
+            ends += isEnd;
+            end += isEnd * x;
+            end2 += isEnd * (x * x);
+            depth += one * nearest;
+            near += nearest < kNear ? one : Floats{};
+        };
+        inGroupsOf<kLanes<Floats>>(size, add);
+        *result = {{sumOf(sides), sumOf(side), sumOf(side2)},
+                   {sumOf(ends), sumOf(end), sumOf(end2)},
+                   sumOf(depth),
+                   sumOf(near)};
+    });
+    return sums;
+}
+
+std::optional<Descriptors::LowHits> lowHitsOf(const CanonicalHits& hits, bool planar)
+{
     constexpr double kFewest = 4.0;
-    Moments fromSide;
-    Moments fromEnd;
-    double depth = 0.0;
-    double near = 0.0;
-    for (std::size_t i = 0; i < hits.size(); ++i)
-    {
-        if (!planar && hits.z[i] > kWindows) continue;
-        const float x = std::abs(hits.x[i]);
-        const float y = std::abs(hits.y[i]);
-        (y < x ? fromSide : fromEnd).add(y < x ? hits.y[i] : hits.x[i]);
-        depth += std::min(x, y);
-        near += std::min(x, y) < kNear ? 1.0 : 0.0;
-    }
-    const double count = fromSide.count + fromEnd.count;
+    const LowSums low = lowSums(hits, planar ? std::numeric_limits<float>::max() : kWindows);
+    const double count = low.fromSide.count + low.fromEnd.count;
     if (count < kFewest) return std::nullopt;
-    return Descriptors::LowHits{depth / count, near / count,
-                                std::sqrt((fromSide.scatter() + fromEnd.scatter()) / count),
-                                fromSide.count / count};
+    return Descriptors::LowHits{low.depth / count, low.near / count,
+                                std::sqrt((low.fromSide.scatter() + low.fromEnd.scatter()) / count),
+                                low.fromSide.count / count};
 }
 
 /// Extent along y of the hits at some height; nothing where there are not two of them.
@@ -200,15 +165,27 @@ void countOutside(Descriptors& d, const CanonicalHits& hits, const OrientedBox& 
     constexpr float kBefore = -0.15F;   // m
     constexpr double kBehind = 0.3;     // m
     constexpr float kAboveCars = 2.0F;  // m
-    const auto farX = static_cast<float>(box.length + kBehind);
-    const auto farY = static_cast<float>(box.width + kBehind);
+    std::array<std::int32_t, 3> counts{};
+    inWideLanes([
+        farX = static_cast<float>(box.length + kBehind),
+        farY = static_cast<float>(box.width + kBehind), x = hits.x.data(), y = hits.y.data(),
+        z = hits.z.data(), size = hits.size(), result = &counts
+    ]() __attribute__((always_inline)) {
+        std::int32_t before = 0;
+        std::int32_t behind = 0;
+        std::int32_t high = 0;
+        for (std::size_t i = 0; i < size; ++i)
+        {
+            before += (x[i] < kBefore) | (y[i] < kBefore) ? 1 : 0;
+            behind += (x[i] > farX) | (y[i] > farY) ? 1 : 0;
+            high += z[i] > kAboveCars ? 1 : 0;
+        }
+        *result = {before, behind, high};
+    });
     const double share = 1.0 / static_cast<double>(hits.size());
-    for (std::size_t i = 0; i < hits.size(); ++i)
-    {
-        d.outside += hits.x[i] < kBefore || hits.y[i] < kBefore ? share : 0.0;
-        d.beyond += hits.x[i] > farX || hits.y[i] > farY ? share : 0.0;
-        d.high += hits.z[i] > kAboveCars ? share : 0.0;
-    }
+    d.outside = share * counts[0];
+    d.beyond = share * counts[1];
+    d.high = share * counts[2];
 }
 }  // namespace
 
@@ -225,7 +202,7 @@ Descriptors describe(const CanonicalHits& hits, const ObjectView& view)
     d.bottom = z.above(kEnd);
     d.shoulder = z.above(0.85);
     d.middle = z.above(0.5);
-    d.columns = columnsOf(hits, x.min(), x.max());
+    d.columns = columnsOf(hits);
     countOutside(d, hits, view.box);
     d.silhouette = silhouetteOf(hits, view.planar);
     d.lowWidth = widthOf(hits, 0.0F, kWindows);

@@ -2,9 +2,11 @@
 #include "vdamf/tracking/discrimination/features.h"
 
 #include <cmath>
+#include <cstdint>
 
 #include "discrimination/descriptors.h"
 #include "discrimination/pair_features.h"
+#include "types/wide_lanes.h"
 
 namespace vdamf
 {
@@ -16,20 +18,41 @@ struct CellFinder
     explicit CellFinder(const GridAxis& axis)
         : min(static_cast<float>(axis.min)),
           perMetre(static_cast<float>(1.0 / axis.cellSize())),
-          cells(axis.cells)
+          cells(static_cast<float>(axis.cells))
     {
     }
-    /// -1: outside.
-    int at(float value) const
-    {
-        const float cell = (value - min) * perMetre;
-        return cell >= 0.0F && cell < static_cast<float>(cells) ? static_cast<int>(cell) : -1;
-    }
+    [[gnu::always_inline]] float at(float value) const { return (value - min) * perMetre; }
+    [[gnu::always_inline]] bool has(float cell) const { return (cell >= 0.0F) & (cell < cells); }
 
     float min;
     float perMetre;
-    int cells;
+    float cells;
 };
+
+// The cell of the grid that each hit is in; -1: none.
+std::vector<std::int32_t> gridCells(const CanonicalHits& hits, const DiscriminationGrid& grid)
+{
+    std::vector<std::int32_t> cells(hits.size());
+    inWideLanes([
+        alongX = CellFinder(grid.x), alongY = CellFinder(grid.y), alongZ = CellFinder(grid.z),
+        nx = grid.x.cells, ny = grid.y.cells, x = hits.x.data(), y = hits.y.data(),
+        z = hits.z.data(), size = hits.size(), to = cells.data()
+    ]() __attribute__((always_inline)) {
+        VDAMF_INDEPENDENT_LANES
+        for (std::size_t n = 0; n < size; ++n)
+        {
+            const float i = alongX.at(x[n]);
+            const float j = alongY.at(y[n]);
+            const float k = alongZ.at(z[n]);
+            const bool inside = alongX.has(i) & alongY.has(j) & alongZ.has(k);
+            // As DiscriminationGrid::index().
+            const auto row = static_cast<std::int32_t>(inside ? j : 0.0F) +
+                             ny * static_cast<std::int32_t>(inside ? k : 0.0F);
+            to[n] = inside ? static_cast<std::int32_t>(i) + nx * row : -1;
+        }
+    });
+    return cells;
+}
 
 struct CellValue
 {
@@ -40,18 +63,12 @@ struct CellValue
 // Those with hits.
 std::vector<CellValue> cellsOf(const CanonicalHits& hits, const DiscriminationGrid& grid)
 {
-    const CellFinder x(grid.x);
-    const CellFinder y(grid.y);
-    const CellFinder z(grid.z);
     std::vector<float> counts(grid.cells(), 0.0F);
     std::vector<CellValue> cells;
-    for (std::size_t n = 0; n < hits.size(); ++n)
+    for (const std::int32_t each : gridCells(hits, grid))
     {
-        const int i = x.at(hits.x[n]);
-        const int j = y.at(hits.y[n]);
-        const int k = z.at(hits.z[n]);
-        if (i < 0 || j < 0 || k < 0) continue;
-        const std::size_t cell = grid.index(i, j, k);
+        if (each < 0) continue;
+        const auto cell = static_cast<std::size_t>(each);
         if (counts[cell] == 0.0F) cells.push_back({cell, 0.0F});
         counts[cell] += 1.0F;
     }
@@ -60,22 +77,6 @@ std::vector<CellValue> cellsOf(const CanonicalHits& hits, const DiscriminationGr
     return cells;
 }
 
-// The features that are not zero.
-struct SparseFeatures
-{
-    std::vector<CellValue> cells;
-    std::vector<PairValue> pairs;
-};
-
-SparseFeatures sparseFeatures(const ObjectView& view, const DiscriminationGrid& grid)
-{
-    SparseFeatures features;
-    const CanonicalHits hits = toCanonicalFrame(view);
-    if (hits.size() == 0) return features;
-    if (!view.planar) features.cells = cellsOf(hits, grid);
-    features.pairs = pairsOf(describe(hits, view), view.planar);
-    return features;
-}
 }  // namespace
 
 std::vector<FeatureBlock> featureBlocks(const DiscriminationGrid& grid)
@@ -93,30 +94,25 @@ std::size_t featureCount(const DiscriminationGrid& grid)
 
 std::vector<float> objectFeatures(const ObjectView& view, const DiscriminationGrid& grid)
 {
-    const SparseFeatures sparse = sparseFeatures(view, grid);
     std::vector<float> features(featureCount(grid), 0.0F);
-    for (const CellValue& each : sparse.cells) features[each.cell] = each.value;
-    for (const PairValue& pair : sparse.pairs)
-        for (std::size_t k = 0; k < 4; ++k)
-            features[grid.cells() + pair.feature(k)] += pair.value[k];
+    const CanonicalHits hits = toCanonicalFrame(view);
+    if (hits.size() == 0) return features;
+    if (!view.planar)
+        for (const CellValue& each : cellsOf(hits, grid)) features[each.cell] = each.value;
+    putPairs(describe(hits, view), view.planar, features.data() + grid.cells());
     return features;
 }
 
 double objectScore(const ObjectView& view, const DiscriminatorModel& model)
 {
-    const SparseFeatures sparse = sparseFeatures(view, model.grid);
+    const CanonicalHits hits = toCanonicalFrame(view);
+    if (hits.size() == 0) return model.bias;
     double score = model.bias;
-    for (const CellValue& each : sparse.cells)
-        score += model.weights[each.cell] * static_cast<double>(each.value);
-    const double* const weights = model.weights.data() + model.grid.cells();
-    for (const PairValue& pair : sparse.pairs)
-    {
-        double sum = 0.0;
-        for (std::size_t k = 0; k < 4; ++k)
-            sum += weights[pair.feature(k)] * static_cast<double>(pair.value[k]);
-        score += sum;
-    }
-    return score;
+    if (!view.planar)
+        for (const CellValue& each : cellsOf(hits, model.grid))
+            score += model.weights[each.cell] * static_cast<double>(each.value);
+    return score +
+           pairScore(describe(hits, view), view.planar, model.weights.data() + model.grid.cells());
 }
 
 }  // namespace vdamf

@@ -147,6 +147,26 @@ std::optional<KnotPlace> placeIn(const Number& number, const Descriptors& d, boo
     if (!value) return std::nullopt;
     return placeOf(number.knots, *value);
 }
+// Calls each(first, rowSize, a, b) for the pairs of the descriptors that an object has: the feature
+// of the two lower knots, knots of the second one, shares of the upper knots of both.
+template <class Each>
+void forEachPair(const Descriptors& descriptors, bool planar, Each each)
+{
+    std::array<std::optional<KnotPlace>, kNumbers.size()> places;
+    for (std::size_t i = 0; i < kNumbers.size(); ++i)
+        places[i] = placeIn(kNumbers[i], descriptors, planar);
+    for (const Pair& pair : planar ? layout().planar : layout().all)
+    {
+        const auto& a = places[pair.first];
+        const auto& b = places[pair.second];
+        if (!a || !b) continue;
+        const std::size_t rowSize = kNumbers[pair.second].knots.count;
+        each(pair.begin + a->below * rowSize + b->below, rowSize, a->shareAbove, b->shareAbove);
+    }
+}
+
+// The many pairs are not to drown the cells.
+constexpr double kScale = 0.5;
 }  // namespace
 
 const std::vector<PairBlock>& pairBlocks()
@@ -159,32 +179,33 @@ std::size_t pairFeatureCount()
     return layout().size;
 }
 
-std::vector<PairValue> pairsOf(const Descriptors& descriptors, bool planar)
+void putPairs(const Descriptors& descriptors, bool planar, float* features)
 {
-    // The many pairs are not to drown the cells.
-    constexpr double kScale = 0.5;
-    std::array<std::optional<KnotPlace>, kNumbers.size()> places;
-    for (std::size_t i = 0; i < kNumbers.size(); ++i)
-        places[i] = placeIn(kNumbers[i], descriptors, planar);
-    const std::vector<Pair>& pairs = planar ? layout().planar : layout().all;
-    std::vector<PairValue> values;
-    values.reserve(pairs.size());
-    for (const Pair& pair : pairs)
-    {
-        const auto& a = places[pair.first];
-        const auto& b = places[pair.second];
-        if (!a || !b) continue;
-        const std::size_t rowSize = kNumbers[pair.second].knots.count;
-        const double above = kScale * a->shareAbove;
-        const double below = kScale - above;
-        values.push_back({pair.begin + a->below * rowSize + b->below,
-                          rowSize,
-                          {static_cast<float>(below * (1.0 - b->shareAbove)),
-                           static_cast<float>(below * b->shareAbove),
-                           static_cast<float>(above * (1.0 - b->shareAbove)),
-                           static_cast<float>(above * b->shareAbove)}});
-    }
-    return values;
+    forEachPair(descriptors, planar,
+                [&](std::size_t first, std::size_t rowSize, double a, double b)
+                {
+                    float* const row = features + first;
+                    const double above = kScale * a;
+                    const double below = kScale - above;
+                    row[0] += static_cast<float>(below * (1.0 - b));
+                    row[1] += static_cast<float>(below * b);
+                    row[rowSize] += static_cast<float>(above * (1.0 - b));
+                    row[rowSize + 1] += static_cast<float>(above * b);
+                });
+}
+
+double pairScore(const Descriptors& descriptors, bool planar, const double* weights)
+{
+    double score = 0.0;
+    forEachPair(descriptors, planar,
+                [&](std::size_t first, std::size_t rowSize, double a, double b)
+                {
+                    const double* const row = weights + first;
+                    const double below = row[0] + b * (row[1] - row[0]);
+                    const double above = row[rowSize] + b * (row[rowSize + 1] - row[rowSize]);
+                    score += below + a * (above - below);
+                });
+    return kScale * score;
 }
 
 }  // namespace vdamf

@@ -3,7 +3,6 @@
 // plane of two of them, such as how wide an object of some length may be.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -26,17 +25,10 @@ const std::vector<PairBlock>& pairBlocks();
 /// Number of all of them.
 std::size_t pairFeatureCount();
 
-/// Where two descriptors lie between their knots: shares of the four pairs of knots around.
-struct PairValue
-{
-    std::size_t first = 0;    ///< feature of the pair of lower knots
-    std::size_t rowSize = 0;  ///< knots of the second descriptor
-    std::array<float, 4> value{};
+/// Adds an object's to `features`, pairFeatureCount() zeros.
+void putPairs(const Descriptors& descriptors, bool planar, float* features);
 
-    std::size_t feature(std::size_t k) const { return first + (k / 2) * rowSize + k % 2; }
-};
-
-/// An object's pairs, of the descriptors that it has.
-std::vector<PairValue> pairsOf(const Descriptors& descriptors, bool planar);
+/// Their sum with such weights, but for rounding of the features.
+double pairScore(const Descriptors& descriptors, bool planar, const double* weights);
 
 }  // namespace vdamf

@@ -114,8 +114,9 @@ std::array<double, 4> HeadingBelief::logs() const
 int HeadingBelief::turnDue(double logOdds) const
 {
     const std::array<double, 4> all = logs();
-    const auto best = std::max_element(all.begin(), all.end());
-    return *best - all[0] > logOdds ? static_cast<int>(best - all.begin()) : 0;
+    if (logOfSum(all[1], all[3]) - logOfSum(all[0], all[2]) > logOdds)
+        return all[1] >= all[3] ? 1 : 3;
+    return all[2] - all[0] > logOdds ? 2 : 0;
 }
 
 HeadingBelief HeadingBelief::turned(int quarters) const

@@ -55,8 +55,8 @@ Matrix5d scaled(const BoxMeasurement& m, const Matrix5d& atFixedPoint, const Eig
 
 // What lasts is no larger than this: where a fit itself says that it does not know, as where a row
 // of hits may go on, its error comes and goes with the view.
-constexpr double kLastingPlace = 0.08;    // m
-constexpr double kLastingHeading = 0.01;  // rad
+constexpr double kLastingPlace = 0.05;     // m
+constexpr double kLastingHeading = 0.006;  // rad
 
 Eigen::Vector3d shareOfJitter(const Matrix5d& atFixedPoint, const JitterShares& shares)
 {

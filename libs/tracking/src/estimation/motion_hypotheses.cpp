@@ -12,7 +12,7 @@ namespace
 {
 constexpr double kRestTime = 1.6;  // s, in which vehicles that stand may start, or stop
 // Mean times, s, for which vehicles go on steadily, and for which they brake or turn.
-constexpr double kSteadyTime = 4.0;
+constexpr double kSteadyTime = 6.0;
 constexpr double kManoeuvreTime = 2.0;
 constexpr double kLeast = 0.02;         // of a probability: nothing is ruled out
 constexpr double kRefuted = 0.05;       // of the standing hypothesis
@@ -220,15 +220,15 @@ MotionHypotheses predicted(const MotionHypotheses& h, double dt, VehicleKalmanFi
     return next;
 }
 
-MotionHypotheses drifted(const MotionHypotheses& h, const Eigen::Matrix3d& lastingError, double dt)
+MotionHypotheses drifted(const MotionHypotheses& h, const Eigen::Matrix3d& lastingError,
+                         double viewChange)
 {
-    constexpr double kViewTime = 1.2;  // s, after which a view is another one
     MotionHypotheses next = h;
     next.forEach(
         [&](VehicleState state)
         {
             state.covariance.topLeftCorner<3, 3>() +=
-                std::min(1.0, 2.0 * dt / kViewTime) * lastingError;
+                std::min(1.0, 2.0 * viewChange) * lastingError;
             return state;
         });
     return next;

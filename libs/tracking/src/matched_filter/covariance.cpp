@@ -19,13 +19,13 @@ Matrix5d fitCovariance(const Hits& hits, const FilterShape& shape, const Oriente
     // Sum of B_i B_i^T: a centre that stands for n hits moves by the mean of their perturbations
     // and weighs n times, so it counts n times.
     Matrix5d scatter = Matrix5d::Zero();
-    const auto byHit = gradientByHit(hits, shape, box, phi);
+    const ResponseByHit response = responseByHit(hits, shape, box, phi);
+    const auto& byHit = response.gradientByHit;
     for (std::size_t i = 0; i < byHit.size(); ++i)
         scatter += hits.weight[i] * byHit[i] * byHit[i].transpose();
 
     // At a maximum -H is positive definite.
-    const Eigen::SelfAdjointEigenSolver<Matrix5d> eigen(
-        -matchResponse(hits, shape, box, phi).hessian);
+    const Eigen::SelfAdjointEigenSolver<Matrix5d> eigen(-response.all.hessian);
     const double largest = eigen.eigenvalues().cwiseAbs().maxCoeff();
     const Vector5d curvature =
         eigen.eigenvalues().array().max(kUnheldShare * largest).max(1e-12).matrix();

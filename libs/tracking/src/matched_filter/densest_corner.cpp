@@ -31,13 +31,25 @@ struct Peak
 class AxisBins
 {
 public:
-    // `bin` may be kBins: nowhere. Parts of turns in the two tables, as most hits share a few bins
-    // and each would wait for the one before it.
-    void add(std::size_t part, std::uint16_t bin, float weight)
+    // Each of the hits may lie in kBins: nowhere. They take turns in the two tables, as most of
+    // them share a few bins and each would wait for the one before it.
+    AxisBins(const std::vector<std::uint16_t>& bins, const std::vector<float>& weights)
     {
-        bins_[part][bin] += weight;
-        first_ = std::min(first_, bin);
-        last_ = std::max(last_, bin);
+        if (bins.empty()) return;
+        inWideLanes([ from = bins.data(), size = bins.size(), first = &first_, last = &last_ ]()
+                        __attribute__((always_inline)) {
+                            std::uint16_t least = kBins;
+                            std::uint16_t most = 0;
+                            for (std::size_t i = 0; i < size; ++i)
+                            {
+                                least = from[i] < least ? from[i] : least;
+                                most = from[i] > most ? from[i] : most;
+                            }
+                            *first = least;
+                            *last = most;
+                        });
+        for (auto& table : bins_) std::fill(table.data() + first_, table.data() + last_ + 1, 0.0F);
+        for (std::size_t i = 0; i < bins.size(); ++i) bins_[i % 2][bins[i]] += weights[i];
     }
 
     Peak peak() const
@@ -48,7 +60,7 @@ public:
         const std::size_t end = std::min<std::size_t>(last_ + 1U, kBins - 1);
         for (std::size_t k = first_; k <= end; ++k)
         {
-            const float here = bins_[0][k] + bins_[1][k];
+            const float here = k <= last_ ? bins_[0][k] + bins_[1][k] : 0.0F;
             const float both = before + here;
             before = here;
             if (both <= most || k == 0) continue;
@@ -59,7 +71,7 @@ public:
     }
 
 private:
-    std::array<std::array<float, kBins + 1>, 2> bins_{};
+    std::array<std::array<float, kBins + 1>, 2> bins_;  // of those from first_ to last_
     std::uint16_t first_ = kBins;
     std::uint16_t last_ = 0;
 };
@@ -103,14 +115,7 @@ public:
     // Along the heading and across it.
     std::pair<Peak, Peak> peaks() const
     {
-        AxisBins alongX;
-        AxisBins alongY;
-        for (std::size_t i = 0; i < weight_.size(); ++i)
-        {
-            alongX.add(i % 2, binX_[i], weight_[i]);
-            alongY.add(i % 2, binY_[i], weight_[i]);
-        }
-        return {alongX.peak(), alongY.peak()};
+        return {AxisBins(binX_, weight_).peak(), AxisBins(binY_, weight_).peak()};
     }
 
 private:

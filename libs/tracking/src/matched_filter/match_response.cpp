@@ -120,6 +120,20 @@ void forEachHit(const Hits& hits, const FilterShape& shape, const FilterRegions&
         visit(i, HitTerms(x, y, regions, ax, ay));
     }
 }
+
+// Upper triangle only, see whole().
+void add(const HitTerms& hit, double weight, MatchSums& sums)
+{
+    sums.f += weight * hit.f();
+    sums.g += weight * hit.gradient();
+    sums.h.triangularView<Eigen::Upper>() += weight * hit.hessian();
+}
+
+MatchSums whole(MatchSums sums)
+{
+    sums.h.triangularView<Eigen::StrictlyLower>() = sums.h.transpose();
+    return sums;
+}
 }  // namespace
 
 double bearingToSensor(const OrientedBox& box, const Eigen::Vector2d& sensor)
@@ -142,31 +156,28 @@ MatchResponse matchResponse(const Hits& hits, const FilterShape& shape, const Or
     const FilterRegions regions(shape, box.heading - phi);
     MatchSums sums;
     forEachHit(hits, shape, regions, box,
-               [&](std::size_t i, const HitTerms& hit)
-               {
-                   const double weight = hits.weight[i];
-                   sums.f += weight * hit.f();
-                   sums.g += weight * hit.gradient();
-                   sums.h.triangularView<Eigen::Upper>() += weight * hit.hessian();
-               });
-    sums.h.triangularView<Eigen::StrictlyLower>() = sums.h.transpose();
-    return normalised(sums, Normalisation(regions, box));
+               [&](std::size_t i, const HitTerms& hit) { add(hit, hits.weight[i], sums); });
+    return normalised(whole(sums), Normalisation(regions, box));
 }
 
-std::vector<Eigen::Matrix<double, 5, 2>> gradientByHit(const Hits& hits, const FilterShape& shape,
-                                                       const OrientedBox& box, double phi)
+ResponseByHit responseByHit(const Hits& hits, const FilterShape& shape, const OrientedBox& box,
+                            double phi)
 {
     const FilterRegions regions(shape, box.heading - phi);
     const Normalisation a(regions, box);
-    std::vector<Eigen::Matrix<double, 5, 2>> all;
-    all.reserve(hits.size());
-    forEachHit(hits, shape, regions, box,
-               [&](std::size_t, const HitTerms& hit)
-               {
-                   all.push_back(a.value * hit.gradientByPosition() +
-                                 a.gradient * Eigen::RowVector2d(hit.fx(), hit.fy()));
-               });
-    return all;
+    MatchSums sums;
+    ResponseByHit result;
+    result.gradientByHit.reserve(hits.size());
+    forEachHit(
+        hits, shape, regions, box,
+        [&](std::size_t i, const HitTerms& hit)
+        {
+            add(hit, hits.weight[i], sums);
+            result.gradientByHit.push_back(a.value * hit.gradientByPosition() +
+                                           a.gradient * Eigen::RowVector2d(hit.fx(), hit.fy()));
+        });
+    result.all = normalised(whole(sums), a);
+    return result;
 }
 
 double filterEnergy(const FilterShape& shape, const OrientedBox& box, double phi)

@@ -1,10 +1,62 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "matched_filter/near_faces.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
+
+#include "types/wide_lanes.h"
 
 namespace vdamf
 {
+namespace
+{
+// Where some of the hits lie in the axes of the box, and on which of the faces.
+struct Located
+{
+    static constexpr std::size_t kMost = 256;
+    static constexpr std::int64_t kNowhere = -1;
+    std::array<double, kMost> x, y;
+    std::array<std::int64_t, kMost> face;
+
+    void locate(const Hits& hits, std::size_t begin, std::size_t size, const OrientedBox& box,
+                FaceSet seen, const NearFaceOptions& o)
+    {
+        inWideLanes([
+            =, px = hits.x.data() + begin, py = hits.y.data() + begin, c = std::cos(box.heading),
+            s = std::sin(box.heading), signX = seen.has(Face::Front) ? 1.0 : -1.0,
+            signY = seen.has(Face::Left) ? 1.0 : -1.0, toX = x.data(), toY = y.data(),
+            toFace = face.data(),
+            // A face that is not seen has no hits and takes none from the other one.
+            endGate = seen.seesEnd() ? o.gate : -kFar, sideGate = seen.seesSide() ? o.gate : -kFar,
+            endCorner = seen.seesSide() ? o.corner : -kFar,
+            sideCorner = seen.seesEnd() ? o.corner : -kFar
+        ]() __attribute__((always_inline)) {
+            VDAMF_INDEPENDENT_LANES
+            for (std::size_t i = 0; i < size; ++i)
+            {
+                const double dx = px[i] - box.x;
+                const double dy = py[i] - box.y;
+                const double alongX = c * dx + s * dy;
+                const double alongY = c * dy - s * dx;
+                const double behindEnd = 0.5 * box.length - signX * alongX;
+                const double behindSide = 0.5 * box.width - signY * alongY;
+                const bool beside = (behindEnd > -o.gate) & (behindEnd < box.length + o.gate) &
+                                    (behindSide > -o.gate) & (behindSide < box.width + o.gate);
+                const bool onEnd = (behindEnd < endGate) & (behindSide > endCorner);
+                const bool onSide = (behindSide < sideGate) & (behindEnd > sideCorner);
+                toX[i] = alongX;
+                toY[i] = alongY;
+                toFace[i] = (beside & (onEnd | onSide)) ? (onEnd ? 0 : 1) : kNowhere;
+            }
+        });
+    }
+
+private:
+    static constexpr double kFar = 1e9;  // m
+};
+}  // namespace
+
 NearFaces nearFaces(const Hits& hits, const OrientedBox& box, FaceSet seen,
                     const Eigen::Vector2d& sensor, const NearFaceOptions& o)
 {
@@ -12,8 +64,6 @@ NearFaces nearFaces(const Hits& hits, const OrientedBox& box, FaceSet seen,
     const double s = std::sin(box.heading);
     const double signX = seen.has(Face::Front) ? 1.0 : -1.0;
     const double signY = seen.has(Face::Left) ? 1.0 : -1.0;
-    const bool end = seen.seesEnd();
-    const bool side = seen.seesSide();
     const Eigen::Vector2d view = toBoxFrame(box, sensor).normalized();
     NearFaces faces;
     faces[0].sign = faces[0].slope = signX;
@@ -22,27 +72,25 @@ NearFaces nearFaces(const Hits& hits, const OrientedBox& box, FaceSet seen,
     faces[0].noise = o.rangeNoise * std::abs(view.x());
     faces[1].noise = o.rangeNoise * std::abs(view.y());
     const std::size_t blocks = hits.size() / FaceHits::Block::kHits + 1;
-    if (end) faces[0].hits.blocks.reserve(blocks);
-    if (side) faces[1].hits.blocks.reserve(blocks);
-    for (std::size_t i = 0; i < hits.size(); ++i)
+    if (seen.seesEnd()) faces[0].hits.blocks.reserve(blocks);
+    if (seen.seesSide()) faces[1].hits.blocks.reserve(blocks);
+    Located located;
+    for (std::size_t begin = 0; begin < hits.size(); begin += Located::kMost)
     {
-        const double dx = hits.x[i] - box.x;
-        const double dy = hits.y[i] - box.y;
-        const double x = c * dx + s * dy;
-        const double y = c * dy - s * dx;
-        const double behindEnd = 0.5 * box.length - signX * x;
-        const double behindSide = 0.5 * box.width - signY * y;
-        // One decision for each hit: which face it is on is hard to foretell.
-        const bool beside = (behindEnd > -o.gate) & (behindEnd < box.length + o.gate) &
-                            (behindSide > -o.gate) & (behindSide < box.width + o.gate);
-        const bool onEnd = end & (behindEnd < o.gate) & (!side | (behindSide > o.corner));
-        const bool onSide = side & (behindSide < o.gate) & (!end | (behindEnd > o.corner));
-        if (!(beside & (onEnd | onSide))) continue;
-        const double weight = hits.weight[i];
-        NearFace& face = faces[onEnd ? 0 : 1];
-        face.hits.add(onEnd ? signX * x : signY * y, onEnd ? y : x, weight,
-                      onEnd ? hits.varianceAlong(i, c, s) : hits.varianceAlong(i, -s, c));
-        face.weight += weight;
+        const std::size_t size = std::min(Located::kMost, hits.size() - begin);
+        located.locate(hits, begin, size, box, seen, o);
+        for (std::size_t i = 0; i < size; ++i)
+        {
+            if (located.face[i] == Located::kNowhere) continue;
+            const bool onEnd = located.face[i] == 0;
+            const double weight = hits.weight[begin + i];
+            NearFace& face = faces[onEnd ? 0 : 1];
+            face.hits.add(
+                onEnd ? signX * located.x[i] : signY * located.y[i],
+                onEnd ? located.y[i] : located.x[i], weight,
+                onEnd ? hits.varianceAlong(begin + i, c, s) : hits.varianceAlong(begin + i, -s, c));
+            face.weight += weight;
+        }
     }
     for (NearFace& face : faces)
         if (face.weight < o.minHits) face.hits = FaceHits();

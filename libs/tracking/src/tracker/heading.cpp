@@ -17,7 +17,7 @@ constexpr double kCourseSpeed = 0.5;     // m/s
 constexpr double kLeastShare = 0.5;      // of the mean speed, in each half of a steady course
 // Log odds from which on length and width are exchanged, of young tracks and of others, and front
 // and rear.
-constexpr double kLikely = 1.0;
+constexpr double kLikely = 0.5;
 constexpr double kDecisive = 3.0;
 constexpr double kLikelyFront = 2.5;
 constexpr int kYoung = 10;  // sightings

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tracker/existence.h"
+
 namespace vdamf
 {
 namespace
@@ -46,6 +48,7 @@ Track startedTrack(std::uint64_t id, const Sighting& sighting, const StartSpeed&
     track.height = sighting.height;
     track.sightings = 1;
     track.lastSeen = sighting.time;
+    track.seenFrom = sighting.sensor;
     track.told = SizesTold().with(m);
     track.front = HeadingBelief(sizeCues(sighting, track.height));
     track.measurement = m;
@@ -86,6 +89,7 @@ Track sightedTrack(Track track, const Sighting& sighting, double neighbours,
     ++track.sightings;
     track.misses = 0;
     track.lastSeen = sighting.time;
+    track = withHit(std::move(track), options.lifecycle);
     if (track.status == TrackStatus::Coasting || (track.status == TrackStatus::Tentative &&
                                                   track.sightings >= options.lifecycle.confirmHits))
         track.status = TrackStatus::Confirmed;
@@ -109,15 +113,19 @@ Track movedBy(Track track, const Eigen::Vector3d& by)
         point.box.x += by.x();
         point.box.y += by.y();
     }
+    track.seenFrom += by.head<2>();
     track.groundZ += by.z();
     return track;
 }
 
-Track predictedTrack(Track track, double dt, VehicleKalmanFilter& filter,
-                     const MotionOptions& options)
+Track predictedTrack(Track track, double dt, const Eigen::Vector2d& sensor,
+                     VehicleKalmanFilter& filter, const MotionOptions& options)
 {
-    track.hypotheses =
-        drifted(predicted(track.hypotheses, dt, filter, options), track.lastingError, dt);
+    const View before = viewOf(track.hypotheses.moving.box(), track.seenFrom);
+    track.hypotheses = predicted(track.hypotheses, dt, filter, options);
+    const View now = viewOf(track.hypotheses.moving.box(), sensor);
+    track.hypotheses = drifted(track.hypotheses, track.lastingError, changeOfView(before, now));
+    track.seenFrom = sensor;
     // Unseen, a vehicle is likelier to go straight on than to keep turning in a circle.
     constexpr double kTurnTime = 0.7;  // s
     if (track.misses > 0)
@@ -150,9 +158,11 @@ TrackReport reportOf(const Track& track, const VisibilityOptions& options,
     report.forwardProbability = track.front.forwardProbability();
     report.type = track.type;
     report.covariance = track.state.covariance.topLeftCorner<4, 4>();
-    const Eigen::Vector2d left = rotation(track.state.mean(kHeading)).col(1);
-    report.covariance.topLeftCorner<2, 2>() +=
-        0.25 * track.state.widthVariance * left * left.transpose();
+    const double size = std::pow(options.lastingSize, 2);
+    // The centre errs by half of what the length and the width do.
+    const Eigen::Matrix2d axes = rotation(track.state.mean(kHeading));
+    const Eigen::Vector2d bySize(0.25 * size, 0.25 * track.state.widthVariance);
+    report.covariance.topLeftCorner<2, 2>() += axes * bySize.asDiagonal() * axes.transpose();
     report.covariance.topLeftCorner<3, 3>() += track.lastingError;
     // What lasts of the measurements' errors is at least what the options say.
     const auto lacking = [](double least, double known)
@@ -160,7 +170,6 @@ TrackReport reportOf(const Track& track, const VisibilityOptions& options,
     const double position =
         lacking(options.lastingPosition, 0.5 * track.lastingError.topLeftCorner<2, 2>().trace());
     const double heading = lacking(options.lastingHeading, track.lastingError(2, 2));
-    const double size = std::pow(options.lastingSize, 2);
     report.covariance.diagonal() += Eigen::Vector4d(position, position, heading, 0.0);
     report.lengthVariance = track.state.covariance(kLength, kLength) + size;
     report.widthVariance = track.state.widthVariance + size;

@@ -14,6 +14,7 @@
 #include "vdamf/tracking/estimation/jitter.h"
 #include "vdamf/tracking/estimation/motion_hypotheses.h"
 #include "vdamf/tracking/estimation/start_state.h"
+#include "vdamf/tracking/estimation/view.h"
 #include "vdamf/tracking/tracker/tracker.h"
 
 namespace vdamf
@@ -36,10 +37,12 @@ struct Track
     JitterShares jitter;
     Eigen::Matrix3d lastingError =
         Eigen::Matrix3d::Zero();  ///< of the last sighting: x, y, heading
+    Eigen::Vector2d seenFrom = Eigen::Vector2d::Zero();  ///< sensor of the last frame, m
     double groundZ = 0.0;
     double height = 0.0;
     int sightings = 0;
     int misses = 0;          ///< frames since the last sighting
+    double existence = 0.5;  ///< probability that there is an object
     double lastSeen = 0.0;   ///< s
     double lastMatch = 0.0;  ///< response per hit of the last sighting, 1/m
     HeadingBelief front;
@@ -93,9 +96,9 @@ Track withCheckedHeading(const Track& track, const Sighting& sighting, double ne
 /// frame stays as it is.
 Track movedBy(Track track, const Eigen::Vector3d& by);
 
-/// The track `dt` seconds later.
-Track predictedTrack(Track track, double dt, VehicleKalmanFilter& filter,
-                     const MotionOptions& options);
+/// The track `dt` seconds later, for a frame seen from `sensor`.
+Track predictedTrack(Track track, double dt, const Eigen::Vector2d& sensor,
+                     VehicleKalmanFilter& filter, const MotionOptions& options);
 
 /// In the world, where the track's origin is at `origin` (m).
 TrackReport reportOf(const Track& track, const VisibilityOptions& options,

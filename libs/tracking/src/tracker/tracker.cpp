@@ -8,6 +8,7 @@
 
 #include "association/plane_index.h"
 #include "tracker/discriminate.h"
+#include "tracker/existence.h"
 #include "tracker/neighbourhood.h"
 #include "tracker/new_sightings.h"
 #include "tracker/one_time.h"
@@ -45,7 +46,8 @@ public:
         enter(Stage::Measurement);
         const auto sightings = measureTracks(segmented, assignment);
         enter(Stage::Update);
-        updateTracks(frame.time, sightings);
+        updateTracks({frame.time, segmented.sensor, segmented.profile, FieldOfView(frame)},
+                     sightings);
         enter(Stage::NewTracks);
         assignment = startTracks(segmented, std::move(assignment));
         enter(Stage::Discrimination);
@@ -93,11 +95,12 @@ private:
         const Eigen::Vector3d moved = origin_ - frame.origin;
         time_ = frame.time;
         origin_ = frame.origin;
+        const Eigen::Vector2d sensor = (frame.sensor - frame.origin).head<2>();
         workers_.forEach(tracks_.size(),
                          [&](std::size_t j, std::size_t worker)
                          {
                              tracks_[j] = predictedTrack(movedBy(std::move(tracks_[j]), moved), dt,
-                                                         filters_[worker], options_.motion);
+                                                         sensor, filters_[worker], options_.motion);
                          });
     }
 
@@ -151,7 +154,7 @@ private:
                 false};
     }
 
-    void updateTracks(double time, const std::vector<std::optional<Sighting>>& sightings)
+    void updateTracks(const OpenView& view, const std::vector<std::optional<Sighting>>& sightings)
     {
         const Neighbourhood around(tracks_, discriminator_);
         workers_.forEach(
@@ -166,19 +169,8 @@ private:
                                      filters_[worker], options_),
                         *sightings[j]);
                 else
-                    miss(track, time);
+                    track = withMiss(std::move(track), view, options_.lifecycle);
             });
-    }
-
-    void miss(Track& track, double time) const
-    {
-        ++track.misses;
-        const LifecycleOptions& o = options_.lifecycle;
-        if (track.status == TrackStatus::Confirmed) track.status = TrackStatus::Coasting;
-        const bool lost = track.status == TrackStatus::Tentative
-                              ? track.misses >= o.tentativeMisses
-                              : time - track.lastSeen > o.maxCoast;
-        if (lost) track.status = TrackStatus::Ended;
     }
 
     // Returns the assignment with the new tracks.

@@ -28,7 +28,7 @@ private:
 };
 
 /// The measurement with these shares of its variances, and with all of what is larger than errors
-/// of a fit to a body's faces can be (8 cm, 0.6 degrees): that comes and goes with the view. Sizes
+/// of a fit to a body's faces can be (5 cm, 0.35 degrees): that comes and goes with the view. Sizes
 /// keep theirs: whether they err with the frame or for long is not to be seen.
 BoxMeasurement withJitterAlone(const BoxMeasurement& measurement, const JitterShares& shares);
 

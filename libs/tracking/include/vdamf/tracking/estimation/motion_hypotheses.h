@@ -43,9 +43,9 @@ MotionHypotheses predicted(const MotionHypotheses& hypotheses, double dt,
                            VehicleKalmanFilter& filter, const MotionOptions& options);
 
 /// All with poses less certain by what the lasting error of measurements (covariance of x, y,
-/// heading) changes in `dt` seconds: the view changes, and that is no motion.
+/// heading) is another one after a change of view (changeOfView): that is no motion.
 MotionHypotheses drifted(const MotionHypotheses& hypotheses, const Eigen::Matrix3d& lastingError,
-                         double dt);
+                         double viewChange);
 
 /// All after a measurement, of whose variance a share is jitter. One whose NIS is above `nisGate`
 /// counts less instead of losing the track. A standing hypothesis that was refuted starts again

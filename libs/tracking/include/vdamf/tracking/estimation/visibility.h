@@ -27,14 +27,14 @@ struct EnumNames<VisibilityCorrection>
 struct VisibilityOptions
 {
     VisibilityCorrection correction = VisibilityCorrection::Faces;
-    double positionFloor = 0.05;                     ///< m
+    double positionFloor = 0.04;                     ///< m
     double headingFloor = 0.2 * kPi / 180.0;         ///< rad
     double endOnlyHeadingFloor = 1.5 * kPi / 180.0;  ///< rad
     double unseenSigma = 0.5;                        ///< m
     double sizeSigma = 0.15;                         ///< m
     double shortfallSigma = 0.4;                     ///< m
-    double lastingPosition = 0.04;                   ///< m
-    double lastingHeading = 0.3 * kPi / 180.0;       ///< rad
+    double lastingPosition = 0.02;                   ///< m
+    double lastingHeading = 0.15 * kPi / 180.0;      ///< rad
     double lastingSize = 0.1;                        ///< m
     bool assumeVehicleSize = true;
     double carLength = 4.3;       ///< m

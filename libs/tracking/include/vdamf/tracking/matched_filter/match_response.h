@@ -36,10 +36,17 @@ double matchValue(const Hits& hits, const FilterShape& shape, const OrientedBox&
 MatchResponse matchResponse(const Hits& hits, const FilterShape& shape, const OrientedBox& box,
                             double phi);
 
-/// Eq. (13) for every hit: the derivative of the gradient of M by the hit's position along the
-/// axes of the box, for one hit of the centre's weight (5 x 2 each).
-std::vector<Eigen::Matrix<double, 5, 2>> gradientByHit(const Hits& hits, const FilterShape& shape,
-                                                       const OrientedBox& box, double phi);
+/// The response with what each hit adds to it.
+struct ResponseByHit
+{
+    MatchResponse all;
+    /// Eq. (13) for every hit: the derivative of the gradient of M by the hit's position along the
+    /// axes of the box, for one hit of the centre's weight.
+    std::vector<Eigen::Matrix<double, 5, 2>> gradientByHit;
+};
+
+ResponseByHit responseByHit(const Hits& hits, const FilterShape& shape, const OrientedBox& box,
+                            double phi);
 
 /// Eq. (3) without the root: the integral of the squared filter, m^2 (for tests and baselines).
 double filterEnergy(const FilterShape& shape, const OrientedBox& box, double phi);

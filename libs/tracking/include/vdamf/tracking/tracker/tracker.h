@@ -25,7 +25,8 @@ struct LifecycleOptions
     double minHeight = 0.4;   ///< m
     double maxExtent = 25.0;  ///< m
     int confirmHits = 3;
-    int tentativeMisses = 2;
+    double hitProbability = 0.7;
+    double endProbability = 0.1;
     double maxCoast = 2.5;          ///< s
     double startSpeedSigma = 16.0;  ///< m/s
     double nisGate = 11.34;
@@ -39,10 +40,15 @@ struct LifecycleOptions
         field(self.maxExtent, "max_extent_m", 3.0, 60.0,
               "largest diagonal of a cluster that starts a track");
         field(self.confirmHits, "confirm_hits", 1, 50, "measured frames that confirm a track");
-        field(self.tentativeMisses, "tentative_misses", 1, 50,
-              "frames without hits that end a tentative track");
-        field(self.maxCoast, "max_coast_s", 0.0, 10.0,
-              "time without hits that ends a confirmed track");
+        field(self.hitProbability, "hit_probability", 0.1, 0.99,
+              "that an object in full view has hits: each frame in which the sensor sees through "
+              "where it ought to be speaks against it; hidden behind something nearer it is not "
+              "missed");
+        field(self.endProbability, "end_probability", 0.001, 0.5,
+              "probability that an object is there below which its track ends; a new track's is "
+              "0.5, most is 0.99");
+        field(self.maxCoast, "max_coast_s", 0.0, 60.0,
+              "time without hits that ends a track, hidden or not");
         field(self.startSpeedSigma, "start_speed_sigma_mps", 0.1, 40.0,
               "standard deviation of a new track's speed");
         field(self.nisGate, "nis_gate", 1.0, 1000.0,

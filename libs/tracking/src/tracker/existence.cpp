@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tracker/existence.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace vdamf
+{
+namespace
+{
+constexpr double kFalseHits = 0.35;  // probability that something else has hits there
+constexpr double kSurest = 0.99;     // no row of hits is more: vehicles do leave
+constexpr double kSlack = 0.5;       // m before and behind a box that count as in it
+constexpr double kVaguest = 4.0;     // m, about: more than a lane
+
+double oddsOf(double probability)
+{
+    return probability / (1.0 - probability);
+}
+
+double probabilityOf(double odds)
+{
+    return odds / (1.0 + odds);
+}
+
+// Farthest range at which a ray of unit length is in the box, or nothing where it passes by.
+double farthestIn(const OrientedBox& box, const Eigen::Vector2d& sensor, const Eigen::Vector2d& ray)
+{
+    const Eigen::Vector2d from = toBoxFrame(box, sensor);
+    const Eigen::Vector2d along = rotation(box.heading).transpose() * ray;
+    const Eigen::Vector2d half(0.5 * box.length, 0.5 * box.width);
+    double last = std::numeric_limits<double>::infinity();
+    for (int axis = 0; axis < 2; ++axis)
+    {
+        if (std::abs(along(axis)) < 1e-9) continue;
+        const double leaves = std::copysign(half(axis), along(axis));
+        last = std::min(last, (leaves - from(axis)) / along(axis));
+    }
+    return last;
+}
+}  // namespace
+
+double shareSeenThrough(const OrientedBox& box, const OpenView& view)
+{
+    constexpr int kRays = 9;
+    const Eigen::Vector2d away = box.centre() - view.sensor;
+    const double middle = std::atan2(away.y(), away.x());
+    double right = 0.0;
+    double left = 0.0;
+    for (const Eigen::Vector2d& corner : corners(box))
+    {
+        const Eigen::Vector2d p = corner - view.sensor;
+        const double turn = wrapAngle(std::atan2(p.y(), p.x()) - middle);
+        right = std::min(right, turn);
+        left = std::max(left, turn);
+    }
+    int through = 0;
+    for (int k = 0; k < kRays; ++k)
+    {
+        const double bearing = middle + right + (left - right) * (k + 0.5) / kRays;
+        const Eigen::Vector2d ray(std::cos(bearing), std::sin(bearing));
+        const double behind = farthestIn(box, view.sensor, ray) + kSlack;
+        if (view.field.has(bearing) && view.profile.at(bearing) > behind) ++through;
+    }
+    return static_cast<double>(through) / kRays;
+}
+
+double shareSeenThrough(const Track& track, const OpenView& view)
+{
+    constexpr double kSigmas[3] = {-2.0, 0.0, 2.0};
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> position(
+        track.state.covariance.topLeftCorner<2, 2>());
+    const Eigen::Vector2d sigma =
+        std::sqrt(std::max(0.0, position.eigenvalues()(1))) * position.eigenvectors().col(1);
+    double least = 1.0;
+    for (const double sigmas : kSigmas)
+    {
+        OrientedBox box = track.box();
+        box.x += sigmas * sigma.x();
+        box.y += sigmas * sigma.y();
+        least = std::min(least, shareSeenThrough(box, view));
+    }
+    return least;
+}
+
+Track withHit(Track track, const LifecycleOptions& options)
+{
+    const double odds = oddsOf(track.existence) * options.hitProbability / kFalseHits;
+    track.existence = std::min(kSurest, probabilityOf(odds));
+    return track;
+}
+
+Track withMiss(Track track, const OpenView& view, const LifecycleOptions& options)
+{
+    ++track.misses;
+    // What was hardly seen yet is not worth waiting for.
+    const double inView =
+        track.status == TrackStatus::Tentative ? 1.0 : shareSeenThrough(track, view);
+    const double missed = 1.0 - options.hitProbability * inView;
+    track.existence = probabilityOf(oddsOf(track.existence) * missed);
+    const double variance = 0.5 * track.state.covariance.topLeftCorner<2, 2>().trace();
+    const bool isLost = track.existence < options.endProbability ||
+                        view.time - track.lastSeen > options.maxCoast ||
+                        variance > kVaguest * kVaguest;
+    if (track.status == TrackStatus::Confirmed) track.status = TrackStatus::Coasting;
+    if (isLost) track.status = TrackStatus::Ended;
+    return track;
+}
+
+}  // namespace vdamf

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tracker/existence.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "tracking/tracker/example_frames.h"
+
+namespace vdamf
+{
+namespace
+{
+constexpr float kFar = 100.0F;
+
+// A frame that sees the ground all around but for the bearings from `from` to `to` (rad).
+LadarFrame groundAround(double from = 1.0, double to = 1.0)
+{
+    LadarFrame frame;
+    for (double bearing = -3.1; bearing < 3.1; bearing += 0.01)
+    {
+        if (bearing > from && bearing < to) continue;
+        frame.points.x.push_back(static_cast<float>(8.0 * std::cos(bearing)));
+        frame.points.y.push_back(static_cast<float>(8.0 * std::sin(bearing)));
+        frame.points.z.push_back(0.0F);
+    }
+    return frame;
+}
+
+// Nothing but, from bearing 0 to `to` (rad), something at a range (m).
+RangeProfile profileWith(double to, float range)
+{
+    RangeProfile profile;
+    profile.nearest.assign(720, kFar);
+    for (std::size_t k = 360; k < 720; ++k)
+        if (static_cast<double>(k - 360) * kPi / 360.0 < to) profile.nearest[k] = range;
+    return profile;
+}
+
+Track carAhead(double sigmaAcross)
+{
+    Track track;
+    track.status = TrackStatus::Confirmed;
+    track.existence = 0.99;
+    track.state.mean << 20.0, 0.0, 0.5 * kPi, 0.0, 0.0, 1.2, 4.4;
+    track.state.covariance.diagonal() << 0.01, sigmaAcross * sigmaAcross, 1e-3, 0.1, 1e-4, 0.1, 0.1;
+    track.state.width = 1.8;
+    return track;
+}
+
+const OrientedBox kCarAhead{20.0, 0.0, 0.5 * kPi, 4.4, 1.8};
+
+TEST(Existence, SeesThroughWhereNothingStands)
+{
+    const RangeProfile open = profileWith(0.0, kFar);
+    EXPECT_EQ(shareSeenThrough(kCarAhead, {0.0, {0.0, 0.0}, open, FieldOfView(groundAround())}),
+              1.0);
+}
+
+TEST(Existence, WhatIsBehindSomethingNearerIsHidden)
+{
+    const RangeProfile half = profileWith(1.0, 9.0F);
+    const double share =
+        shareSeenThrough(kCarAhead, {0.0, {0.0, 0.0}, half, FieldOfView(groundAround())});
+    EXPECT_NEAR(share, 0.5, 0.12);
+}
+
+TEST(Existence, HitsInTheBoxAreNotSeenThrough)
+{
+    const RangeProfile hits = profileWith(1.0, 20.0F);
+    EXPECT_LT(shareSeenThrough(kCarAhead, {0.0, {0.0, 0.0}, hits, FieldOfView(groundAround())}),
+              0.6);
+}
+
+TEST(Existence, WhereTheSensorDoesNotLookNothingIsMissed)
+{
+    const RangeProfile open = profileWith(0.0, kFar);
+    const OpenView view{0.0, {0.0, 0.0}, open, FieldOfView(groundAround(-0.4, 0.4))};
+    EXPECT_EQ(shareSeenThrough(kCarAhead, view), 0.0);
+}
+
+TEST(Existence, TracksEndSoonWhereTheyWouldBeSeen)
+{
+    const RangeProfile open = profileWith(0.0, kFar);
+    Track track = carAhead(0.1);
+    for (int k = 1; track.status != TrackStatus::Ended && k < 30; ++k)
+        track = withMiss(track, {0.1 * k, {0.0, 0.0}, open, FieldOfView(groundAround())}, {});
+    EXPECT_EQ(track.status, TrackStatus::Ended);
+    EXPECT_LE(track.misses, 7);
+    EXPECT_GE(track.misses, 3) << "one missed frame or two are no end";
+}
+
+TEST(Existence, HiddenOnesCoastAsLongAsTheyMay)
+{
+    const RangeProfile wall = profileWith(kPi, 9.0F);
+    RangeProfile both = wall;
+    std::fill(both.nearest.begin(), both.nearest.end(), 9.0F);
+    LifecycleOptions options;
+    Track track = carAhead(0.1);
+    int k = 0;
+    for (k = 1; track.status != TrackStatus::Ended && k < 100; ++k)
+        track = withMiss(track, {0.1 * k, {0.0, 0.0}, both, FieldOfView(groundAround())}, options);
+    EXPECT_EQ(track.existence, 0.99);
+    EXPECT_NEAR(0.1 * track.misses, options.maxCoast, 0.11);
+}
+
+TEST(Existence, WhatMayHaveStoppedBehindAWallIsHidden)
+{
+    const RangeProfile half = profileWith(1.0, 9.0F);
+    Track track = carAhead(2.5);
+    track.state.mean(kY) = -4.0;  // in view, if it went on
+    const OpenView view{0.0, {0.0, 0.0}, half, FieldOfView(groundAround())};
+    EXPECT_EQ(shareSeenThrough(track.box(), view), 1.0);
+    EXPECT_LT(shareSeenThrough(track, view), 0.6);
+}
+
+TEST(Existence, HitsMakeATrackLastLonger)
+{
+    const RangeProfile open = profileWith(0.0, kFar);
+    const auto framesAfter = [&](int hits)
+    {
+        Track track = carAhead(0.1);
+        track.existence = 0.5;
+        for (int k = 0; k < hits; ++k) track = withHit(track, {});
+        EXPECT_LE(track.existence, 0.99);
+        while (track.status != TrackStatus::Ended)
+            track = withMiss(track, {0.0, {0.0, 0.0}, open, FieldOfView(groundAround())}, {});
+        return track.misses;
+    };
+    EXPECT_LT(framesAfter(2), framesAfter(10));
+    EXPECT_EQ(framesAfter(20), framesAfter(200));
+}
+
+TEST(Existence, NewTracksAreNotWaitedFor)
+{
+    const RangeProfile wall = profileWith(kPi, 9.0F);
+    Track track = carAhead(0.1);
+    track.status = TrackStatus::Tentative;
+    track.existence = 0.5;
+    for (int k = 0; k < 2; ++k)
+        track = withMiss(track, {0.0, {0.0, 0.0}, wall, FieldOfView(groundAround())}, {});
+    EXPECT_EQ(track.status, TrackStatus::Ended);
+}
+
+}  // namespace
+}  // namespace vdamf
