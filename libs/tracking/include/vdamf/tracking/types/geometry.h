@@ -13,6 +13,7 @@ inline constexpr double kPi = 3.14159265358979323846;
 /// The same angle in (-pi, pi].
 inline double wrapAngle(double angle)
 {
+    if (angle > -kPi && angle <= kPi) return angle;
     const double wrapped = std::remainder(angle, 2.0 * kPi);
     return wrapped <= -kPi ? kPi : wrapped;
 }
