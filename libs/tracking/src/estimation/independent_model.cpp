@@ -12,6 +12,7 @@ namespace
 constexpr int kPlace[3] = {kX, kY, kHeading};
 constexpr int kRate[3] = {kVelocityX, kVelocityY, kYawRate};
 constexpr double kHold = 0.1;         // s, for which accelerations are taken to hold
+constexpr double kTurningPace = 2.0;  // m/s, from which on it turns as it likes
 constexpr double kFastest = 100.0;    // m/s
 constexpr double kFastestTurn = 6.0;  // rad/s
 constexpr double kLeastSize = 0.2;    // m
@@ -32,11 +33,14 @@ StateMatrix IndependentModel::jacobian(const StateVector&, double dt) const
     return f;
 }
 
-StateMatrix IndependentModel::noise(const StateVector&, double step) const
+StateMatrix IndependentModel::noise(const StateVector& state, double step) const
 {
     const double dt = std::abs(step);
     const double acceleration = std::pow(options_.independentAcceleration, 2) * kHold;
-    const double yaw = std::pow(options_.independentYawAcceleration, 2) * kHold;
+    // What hardly moves does not turn on the spot: a view that changes only makes it seem so.
+    const double pace = state.segment<2>(kVelocityX).norm() / kTurningPace;
+    const double yaw =
+        std::pow(options_.independentYawAcceleration * std::min(1.0, pace), 2) * kHold;
     StateMatrix q = StateMatrix::Zero();
     for (int k = 0; k < 3; ++k)
     {
