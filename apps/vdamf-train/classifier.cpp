@@ -105,14 +105,15 @@ bool isCalled(const Recording& recording, const std::string& name)
 }
 
 /// How well a model does on a recording, or on all of a scene, that it knows nothing of.
-void tellLeftOut(const ClassifierJob& job, const Tracks& all, const std::string& name, double cost)
+void tellLeftOut(const ClassifierJob& job, Tracks& all, const std::string& name, double cost)
 {
+    if (!job.quiet) std::fprintf(stderr, "training without %s\n", name.c_str());
     Tracks without;
     Tracks leftOut;
-    for (const TrackSamples& track : all)
+    for (TrackSamples& track : all)
     {
         const bool isIt = isCalled(job.recordings[track.recording], name);
-        (isIt ? leftOut : without).push_back(track);
+        (isIt ? leftOut : without).push_back(std::move(track));
     }
     TrainingOptions options = job.training;
     options.costs = {cost};
@@ -120,6 +121,9 @@ void tellLeftOut(const ClassifierJob& job, const Tracks& all, const std::string&
         trainClassifier(without, job.grid, options, [](const std::string&) {});
     std::printf("\nTrained without %s, tested on it\n%s", name.c_str(),
                 qualityText(qualityOf(judge(training.model, leftOut), {})).c_str());
+    std::fflush(stdout);
+    all = std::move(without);
+    append(all, std::move(leftOut));
 }
 
 /// Of held-out frames: which objects fool the discriminator.
@@ -168,7 +172,7 @@ void trainClassifier(const ClassifierJob& job, const std::atomic<bool>& stop)
     const auto existing =
         job.overwrite ? OutputFile::Existing::Overwrite : OutputFile::Existing::Refuse;
     OutputFile file(job.model, existing, OutputFile::Unfinished::Discard);
-    const Collection collection = collect(job, stop);
+    Collection collection = collect(job, stop);
     const auto progress = [&](const std::string& line)
     {
         if (!job.quiet) std::fprintf(stderr, "%s\n", line.c_str());
@@ -182,18 +186,22 @@ void trainClassifier(const ClassifierJob& job, const std::atomic<bool>& stop)
     if (!tested.empty()) tellTests(job, tested);
     file.write(toText(training.model));
     file.commit();
-    for (const std::string& name : job.leaveOut)
-        tellLeftOut(job, collection.train, name, training.cost);
+    std::fflush(stdout);
     if (!job.heldOut.empty())
     {
         std::vector<HeldOutFrame> all = training.heldOut;
         all.insert(all.end(), tested.begin(), tested.end());
         write(job, job.heldOut, heldOutTable(job, all));
     }
-    if (job.plots.empty()) return;
-    std::filesystem::create_directories(job.plots);
-    for (const Picture& picture : classifierPictures(training.model, quality, collection.train))
-        write(job, job.plots / (picture.name + ".svg"), picture.svg);
+    if (!job.plots.empty())
+    {
+        std::filesystem::create_directories(job.plots);
+        for (const Picture& picture : classifierPictures(training.model, quality, collection.train))
+            write(job, job.plots / (picture.name + ".svg"), picture.svg);
+    }
+    // Last, as it moves the samples about.
+    for (const std::string& name : job.leaveOut)
+        tellLeftOut(job, collection.train, name, training.cost);
 }
 
 }  // namespace vdamf

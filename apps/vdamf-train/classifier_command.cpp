@@ -34,6 +34,9 @@ void declareClassifier(CLI::App& command, ClassifierCommandLine& line)
                     "most frames of a track that are trained on")
         ->check(CLI::Range(1, 1000000))
         ->capture_default_str();
+    command.add_option("--threads", training.threads, "folds that are trained at a time")
+        ->check(CLI::Range(1, 64))
+        ->capture_default_str();
     command.add_flag("--overwrite", line.job.overwrite, "replace existing outputs");
     command.add_flag("-q,--quiet", line.job.quiet, "no progress");
 }

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cstdio>
 
+#include "figures/scale_bar.h"
 #include "figures/view.h"
 
 namespace vdamf
@@ -109,6 +111,11 @@ std::string viewSvg(const FigureView& view)
     return svg + "\n<text x=\"6\" y=\"16\">" + view.caption + "</text>\n";
 }
 
+std::string captionAt(double x, double y, const std::string& words)
+{
+    return text("<text x=\"%.0f\" y=\"%.0f\">", x, y) + words + "</text>\n";
+}
+
 std::string framed(double width, double height, const std::string& content)
 {
     return text(
@@ -130,33 +137,59 @@ std::string viewsSvg(const std::vector<FigureView>& views, int columns)
                viewSvg(views[i]) + "</svg>\n";
     }
     const int rows = (static_cast<int>(views.size()) + columns - 1) / columns;
-    return framed(kTile * columns, kTile * rows, svg);
+    const double below = kTile * rows;
+    svg += captionAt(6.0, below + 20.0,
+                     "blue dots: hits; red: box of the fit, with its seen edges filled; dashed "
+                     "blue: surround; dashed black: line of sight") +
+           captionAt(6.0, below + 40.0,
+                     "green: ten standard deviations of the centre (ellipse, cut at 2.2 m) and of "
+                     "the heading (sector)") +
+           scaleBar(kTile * columns - 20.0, below + 36.0, kScale, 2.0);
+    return framed(kTile * columns, below + 50.0, svg);
 }
 
 std::string obliqueSvg(const FigureView& view)
 {
     // Seen from the sensor's side: depth runs up and to the right.
+    constexpr double kLarge = 80.0;  // pixels a metre
+    constexpr double kMargin = 24.0;  // pixels
     const double towards = std::atan2(view.sensor.y(), view.sensor.x());
     const auto project = [&](const Eigen::Vector2d& at, double z)
     {
         const Eigen::Vector2d seen = rotation(-towards + 0.6) * at;
-        return Eigen::Vector2d(300.0 + 70.0 * (seen.y() - 0.25 * seen.x()),
-                               230.0 - 70.0 * z + 26.0 * seen.x());
+        return Eigen::Vector2d(kLarge * (seen.y() - 0.25 * seen.x()),
+                               kLarge * (0.37 * seen.x() - z));
     };
-    std::string svg;
-    for (const double z : {0.0, 1.6})
-    {
-        svg += "<polygon fill=\"none\" stroke=\"#d11\" points=\"";
-        for (const Eigen::Vector2d& corner : corners(view.measured.box))
-            svg += text("%.1f,%.1f ", project(corner, z).x(), project(corner, z).y());
-        svg += "\"/>\n";
-    }
+    double top = 0.0;
+    std::vector<Eigen::Vector2d> dots;
     for (const Eigen::Vector3d& hit : view.hits)
     {
-        const Eigen::Vector2d p = project(hit.head<2>(), hit.z());
-        svg += text("<circle cx=\"%.1f\" cy=\"%.1f\" r=\"1.6\" fill=\"#036\"/>", p.x(), p.y());
+        dots.push_back(project(hit.head<2>(), hit.z()));
+        top = std::max(top, hit.z());
     }
-    return framed(600.0, 340.0, svg + "\n<text x=\"6\" y=\"16\">" + view.caption + "</text>\n");
+    std::vector<std::array<Eigen::Vector2d, 2>> lines;
+    const auto ring = corners(view.measured.box);
+    for (std::size_t k = 0; k < ring.size(); ++k)
+    {
+        const Eigen::Vector2d& next = ring[(k + 1) % ring.size()];
+        lines.push_back({project(ring[k], 0.0), project(next, 0.0)});
+        lines.push_back({project(ring[k], top), project(next, top)});
+        lines.push_back({project(ring[k], 0.0), project(ring[k], top)});
+    }
+    Eigen::AlignedBox2d all;
+    for (const Eigen::Vector2d& dot : dots) all.extend(dot);
+    for (const auto& line : lines) all.extend(line[0]).extend(line[1]);
+    const Eigen::Vector2d shift = Eigen::Vector2d::Constant(kMargin) - all.min();
+    std::string svg = text("<g transform=\"translate(%.1f,%.1f)\">\n", shift.x(), shift.y());
+    for (const auto& line : lines)
+        svg += text("<path stroke=\"#d11\" d=\"M%.1f %.1fL%.1f %.1f\"/>\n", line[0].x(),
+                    line[0].y(), line[1].x(), line[1].y());
+    for (const Eigen::Vector2d& dot : dots)
+        svg += text("<circle cx=\"%.1f\" cy=\"%.1f\" r=\"1.6\" fill=\"#036\"/>", dot.x(), dot.y());
+    const Eigen::Vector2d size = all.sizes() + Eigen::Vector2d::Constant(2.0 * kMargin);
+    return framed(size.x(), size.y() + kMargin,
+                  svg + "</g>\n" +
+                      captionAt(kMargin, size.y() + 6.0, "hits (blue) and box of the fit (red)"));
 }
 
 }  // namespace vdamf

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <exception>
 #include <optional>
+#include <stdexcept>
 
 #include "figures/scene.h"
 #include "figures/view.h"
@@ -31,7 +32,7 @@ struct Seen
     FrameResult result;
 };
 
-std::vector<Seen> framesOf(const Job& job, int count)
+std::vector<Seen> framesOf(const Job& job)
 {
     TrackRawlogJob tracking;
     tracking.input = job.rawlog;
@@ -41,10 +42,8 @@ std::vector<Seen> framesOf(const Job& job, int count)
                 [&](const LadarFrame& frame, const FrameResult& result, double) {
                     all.push_back({frame, result});
                 });
-    std::vector<Seen> chosen;
-    for (std::size_t k = 0; k < static_cast<std::size_t>(count) && !all.empty(); ++k)
-        chosen.push_back(all[(2 * k + 1) * all.size() / (2 * static_cast<std::size_t>(count))]);
-    return chosen;
+    if (all.empty()) throw std::runtime_error(job.rawlog.string() + " holds no frames");
+    return all;
 }
 
 std::optional<TruthRow> objectAt(const std::vector<TruthRow>& truth, const std::string& id,
@@ -63,6 +62,7 @@ void write(const std::filesystem::path& path, const std::string& svg)
     std::printf("%s\n", path.c_str());
 }
 
+/// Views of the target in all frames that it is in.
 std::vector<FigureView> targetViews(const Job& job, const std::vector<TruthRow>& truth,
                                     const std::vector<Seen>& frames)
 {
@@ -72,7 +72,35 @@ std::vector<FigureView> targetViews(const Job& job, const std::vector<TruthRow>&
             views.push_back(
                 viewOf(seen.frame, *object,
                        toFixedText(seen.frame.time - frames.front().frame.time, 1) + " s"));
+    if (views.empty()) throw std::runtime_error("the truth has no object " + job.target);
     return views;
+}
+
+enum class Choice
+{
+    Middle,
+    Longest  ///< the one whose fit is longest: it shows more than an end of the target
+};
+
+/// One of each `count`-th part of the views.
+std::vector<FigureView> oneOfEachPart(const std::vector<FigureView>& views, std::size_t count,
+                                      Choice choice)
+{
+    std::vector<FigureView> chosen;
+    for (std::size_t k = 0; k < count; ++k)
+    {
+        const auto at = [&](std::size_t part)
+        { return views.begin() + static_cast<std::ptrdiff_t>(part * views.size() / (2 * count)); };
+        const auto first = at(2 * k);
+        const auto end = at(2 * k + 2);
+        if (first == end) continue;
+        const auto longest =
+            std::max_element(first, end,
+                             [](const FigureView& a, const FigureView& b)
+                             { return a.measured.box.length < b.measured.box.length; });
+        chosen.push_back(choice == Choice::Longest ? *longest : *at(2 * k + 1));
+    }
+    return chosen;
 }
 
 /// The track with most hits that is called clutter, as it is fitted.
@@ -89,12 +117,12 @@ std::optional<FigureView> clutterView(const Seen& seen, double groundZ)
 
 void drawWoods(const Job& job, const std::vector<TruthRow>& truth)
 {
-    const std::vector<Seen> frames = framesOf(job, 5);
-    std::vector<FigureView> views = targetViews(job, truth, {frames.begin() + 1, frames.end() - 1});
-    if (views.empty()) throw std::runtime_error("the truth has no object " + job.target);
+    const std::vector<Seen> frames = framesOf(job);
+    std::vector<FigureView> views =
+        oneOfEachPart(targetViews(job, truth, frames), 3, Choice::Longest);
     const Seen& middle = frames[frames.size() / 2];
     const double groundZ = objectAt(truth, job.target, middle.frame.time).value().z;
-    write(job.folder / "fig09_scene.svg", sceneSvg(middle.frame, middle.result, groundZ));
+    write(job.folder / "fig09_scene.svg", sceneSvg(middle.frame, middle.result));
     FigureView oblique = views.back();
     oblique.caption.clear();
     write(job.folder / "fig10e_hits.svg", obliqueSvg(oblique));
@@ -106,9 +134,8 @@ void draw(const Job& job)
 {
     const std::vector<TruthRow> truth = readTruth(job.truth);
     if (!job.isCircle) return drawWoods(job, truth);
-    const std::vector<FigureView> views = targetViews(job, truth, framesOf(job, 12));
-    if (views.empty()) throw std::runtime_error("the truth has no object " + job.target);
-    write(job.folder / "fig08_circle.svg", viewsSvg(views, 4));
+    const std::vector<FigureView> views = targetViews(job, truth, framesOf(job));
+    write(job.folder / "fig08_circle.svg", viewsSvg(oneOfEachPart(views, 12, Choice::Middle), 4));
 }
 }  // namespace
 }  // namespace vdamf

@@ -5,15 +5,17 @@
 #include <cstdio>
 #include <set>
 
+#include "figures/scale_bar.h"
+#include "vdamf/tracking/preprocessing/ground.h"
+
 namespace vdamf
 {
 namespace
 {
-constexpr double kScale = 14.0;   // pixels a metre
-constexpr double kAhead = 62.0;   // m shown in front of the sensor
-constexpr double kBehind = 8.0;   // m
-constexpr double kAside = 22.0;   // m
-constexpr double kGround = 0.25;  // m, what lies below is not drawn
+constexpr double kScale = 14.0;  // pixels a metre
+constexpr double kAhead = 62.0;  // m shown in front of the sensor
+constexpr double kBehind = 8.0;  // m
+constexpr double kAside = 22.0;  // m
 
 std::string text(const char* pattern, double a, double b = 0.0, double c = 0.0, double d = 0.0)
 {
@@ -46,24 +48,24 @@ std::string boxSvg(const OrientedBox& box, const Eigen::Vector2d& sensor, const 
 }
 }  // namespace
 
-std::string sceneSvg(const LadarFrame& frame, const FrameResult& result, double groundZ)
+std::string sceneSvg(const LadarFrame& frame, const FrameResult& result)
 {
     const Eigen::Vector2d sensor = frame.sensor.head<2>();
+    const double height = 2.0 * kScale * kAside;
     std::string svg = text(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%.0f\" "
         "height=\"%.0f\" font-family=\"sans-serif\" font-size=\"12\">\n",
-        kScale * (kAhead + kBehind), 2.0 * kScale * kAside);
+        kScale * (kAhead + kBehind), height + 28.0);
     svg +=
         "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n<path stroke=\"#555\" "
         "stroke-width=\"1.5\" stroke-linecap=\"round\" d=\"";
     std::set<std::pair<long, long>> dots;
-    for (std::size_t i = 0; i < frame.points.size(); ++i)
+    for (const std::uint32_t i : removeGround(frame, {}).index)
     {
-        const Eigen::Vector3d world =
-            frame.origin +
-            Eigen::Vector3f(frame.points.x[i], frame.points.y[i], frame.points.z[i]).cast<double>();
-        const Eigen::Vector2d at = world.head<2>() - sensor;
-        if (world.z() - groundZ < kGround || !isShown(at)) continue;
+        const Eigen::Vector2d at =
+            frame.origin.head<2>() +
+            Eigen::Vector2f(frame.points.x[i], frame.points.y[i]).cast<double>() - sensor;
+        if (!isShown(at)) continue;
         dots.emplace(std::lround(pixel(at).x()), std::lround(pixel(at).y()));
     }
     for (const auto& [x, y] : dots)
@@ -83,7 +85,11 @@ std::string sceneSvg(const LadarFrame& frame, const FrameResult& result, double 
                     track.vehicleProbability.value_or(0.0));
     }
     svg += boxSvg({sensor.x() - 0.8, sensor.y(), 0.0, 4.4, 1.8}, sensor, "#24c");
-    return svg + "</svg>\n";
+    svg += text("<text x=\"6\" y=\"%.0f\">", height + 18.0) +
+           "red: vehicle; green: no vehicle; number: probability of a vehicle; blue: sensor "
+           "platform; dashed: lines of sight; grey: hits above the ground</text>\n";
+    return svg + scaleBar(kScale * (kAhead + kBehind) - 20.0, height + 20.0, kScale, 5.0) +
+           "</svg>\n";
 }
 
 }  // namespace vdamf

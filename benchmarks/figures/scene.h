@@ -10,7 +10,7 @@
 namespace vdamf
 {
 /// Hits above the ground, the platform blue, confirmed tracks red where the discriminator calls
-/// them vehicles and green else, each with a dashed line to the sensor. `groundZ`: of the world, m.
-std::string sceneSvg(const LadarFrame& frame, const FrameResult& result, double groundZ);
+/// them vehicles and green else, each with a dashed line to the sensor.
+std::string sceneSvg(const LadarFrame& frame, const FrameResult& result);
 
 }  // namespace vdamf

@@ -10,6 +10,7 @@
 
 #include "vdamf/learning/folds.h"
 #include "vdamf/learning/label.h"
+#include "vdamf/learning/linear_classifier.h"
 #include "vdamf/learning/train.h"
 #include "vdamf/tracking/discrimination/classify.h"
 #include "vdamf/tracking/discrimination/features.h"
@@ -108,6 +109,39 @@ TEST(Training, IsTheSameForTheSameSeed)
     const std::vector<TrackSamples> tracks = exampleTracks(80);
     EXPECT_EQ(toText(trained(tracks).model), toText(trained(tracks).model));
     EXPECT_NE(toText(trained(tracks, 2).model), toText(trained(tracks).model));
+}
+
+TEST(Training, IsTheSameWithAnyNumberOfThreads)
+{
+    const std::vector<TrackSamples> tracks = exampleTracks(80);
+    TrainingOptions options;
+    options.costs = {0.1};
+    const auto modelWith = [&](int threads)
+    {
+        options.threads = threads;
+        return toText(trainClassifier(tracks, kGrid, options, [](const std::string&) {}).model);
+    };
+    const std::string one = modelWith(1);
+    EXPECT_EQ(modelWith(2), one);
+    EXPECT_EQ(modelWith(9), one);
+}
+
+TEST(Classifier, CountsASampleAsOftenAsItIsNamed)
+{
+    std::vector<TrackSamples> tracks = exampleTracks(30);
+    std::vector<const ObjectSample*> once;
+    std::vector<const ObjectSample*> thrice;
+    for (const TrackSamples& track : tracks)
+        for (const ObjectSample& sample : track.frames)
+        {
+            once.push_back(&sample);
+            thrice.insert(thrice.end(), 3, &sample);
+        }
+    const std::size_t features = featureCount(kGrid);
+    const LinearClassifier a = trainLinear(once, features, 0.3);
+    const LinearClassifier b = trainLinear(thrice, features, 0.1);
+    EXPECT_NEAR(a.weights[5], b.weights[5], 0.02 * std::abs(a.weights[5]));
+    EXPECT_GT(std::abs(a.weights[5]), 0.01);
 }
 
 TEST(Training, JudgesOtherTracksByTheModelAlone)

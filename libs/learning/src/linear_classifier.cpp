@@ -4,6 +4,7 @@
 #include <linear.h>
 
 #include <array>
+#include <cassert>
 #include <memory>
 #include <stdexcept>
 
@@ -28,14 +29,18 @@ std::unique_ptr<Problem> problemOf(const std::vector<const ObjectSample*>& sampl
     auto p = std::make_unique<Problem>();
     const int biasIndex = static_cast<int>(featureCount) + 1;
     std::vector<std::size_t> begins;
+    const ObjectSample* last = nullptr;
     for (const ObjectSample* sample : samples)
     {
-        begins.push_back(p->nodes.size());
+        p->labels.push_back(sample->label == ObjectLabel::Vehicle ? 1.0 : -1.0);
+        // One that counts several times stands there once.
+        begins.push_back(sample == last ? begins.back() : p->nodes.size());
+        if (sample == last) continue;
+        last = sample;
         for (const SparseFeature& f : sample->features)
             p->nodes.push_back({static_cast<int>(f.index) + 1, static_cast<double>(f.value)});
         p->nodes.push_back({biasIndex, kBias});
         p->nodes.push_back({-1, 0.0});
-        p->labels.push_back(sample->label == ObjectLabel::Vehicle ? 1.0 : -1.0);
     }
     for (const std::size_t begin : begins) p->rows.push_back(&p->nodes[begin]);
     p->view = {static_cast<int>(samples.size()), biasIndex, p->labels.data(), p->rows.data(),
@@ -44,6 +49,9 @@ std::unique_ptr<Problem> problemOf(const std::vector<const ObjectSample*>& sampl
 }
 
 void printNothing(const char* /*text*/) {}
+
+/// liblinear prints by a function that all threads share: to be set before the first one starts.
+const bool kIsSilent = (set_print_string_function(printNothing), true);
 }  // namespace
 
 double LinearClassifier::score(const std::vector<SparseFeature>& features) const
@@ -71,7 +79,7 @@ LinearClassifier trainLinear(const std::vector<const ObjectSample*>& samples,
     options.nr_weight = 2;
     options.weight_label = labels.data();
     options.weight = weights.data();
-    set_print_string_function(printNothing);
+    assert(kIsSilent);
     if (const char* problem = check_parameter(&p->view, &options))
         throw std::runtime_error(std::string("liblinear: ") + problem);
     const auto release = [](model* m) { free_and_destroy_model(&m); };

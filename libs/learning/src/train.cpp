@@ -5,9 +5,11 @@
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
+#include <future>
 #include <set>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
 #include "judged_tracks.h"
 #include "vdamf/learning/calibrate.h"
@@ -45,19 +47,33 @@ std::vector<const ObjectSample*> trainingSet(const Tracks& tracks, const std::ve
 Scores heldOutScores(const Tracks& tracks, const std::vector<int>& foldOf, double cost,
                      std::size_t features, const TrainingOptions& options)
 {
-    Scores scores(tracks.size());
-    for (int fold = 0; fold < options.folds; ++fold)
+    const auto scoresOf = [&](int fold)
     {
         const LinearClassifier classifier =
             trainLinear(trainingSet(tracks, foldOf, fold, options.framesPerTrack), features, cost);
+        Scores scores(tracks.size());
         for (std::size_t i = 0; i < tracks.size(); ++i)
         {
             if (foldOf[i] != fold) continue;
             for (const ObjectSample& sample : tracks[i].frames)
                 scores[i].push_back(classifier.score(sample.features));
         }
+        return scores;
+    };
+    Scores all(tracks.size());
+    for (int first = 0; first < options.folds; first += options.threads)
+    {
+        std::vector<std::future<Scores>> running;
+        for (int fold = first; fold < std::min(first + options.threads, options.folds); ++fold)
+            running.push_back(std::async(std::launch::async, scoresOf, fold));
+        for (std::future<Scores>& part : running)
+        {
+            Scores scores = part.get();
+            for (std::size_t i = 0; i < scores.size(); ++i)
+                if (!scores[i].empty()) all[i] = std::move(scores[i]);
+        }
     }
-    return scores;
+    return all;
 }
 
 /// Enough digits for any use, and a short model file.

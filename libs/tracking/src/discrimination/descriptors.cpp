@@ -15,6 +15,8 @@ namespace vdamf
 {
 namespace
 {
+constexpr float kWindows = 0.95F;  // height of their lower edge, m
+
 /// Mean distance of the lowest and the highest hit over half a metre square.
 double columnsOf(const CanonicalHits& hits)
 {
@@ -117,7 +119,6 @@ LowSums lowSums(const CanonicalHits& hits, float highest)
 
 std::optional<Descriptors::LowHits> lowHitsOf(const CanonicalHits& hits, bool planar)
 {
-    constexpr float kWindows = 0.95F;  // m
     constexpr double kFewest = 4.0;
     const LowSums low = lowSums(hits, planar ? std::numeric_limits<float>::max() : kWindows);
     const double count = low.fromSide.count + low.fromEnd.count;
@@ -127,45 +128,19 @@ std::optional<Descriptors::LowHits> lowHitsOf(const CanonicalHits& hits, bool pl
                                 low.fromSide.count / count};
 }
 
-struct Silhouette
+/// Extent along y of the hits at some height; nothing where there are not two of them.
+std::optional<double> widthOf(const CanonicalHits& hits, float from, float to)
 {
-    double breadth = 0.0;   ///< m
-    double coverage = 0.0;  ///< 0..1
-};
-
-std::vector<float> acrossSight(const CanonicalHits& hits, const Eigen::Vector2f& across)
-{
-    std::vector<float> offsets(hits.size());
-    inWideLanes([
-        ax = across.x(), ay = across.y(), x = hits.x.data(), y = hits.y.data(), size = hits.size(),
-        to = offsets.data()
-    ]() __attribute__((always_inline)) {
-        VDAMF_INDEPENDENT_LANES
-        for (std::size_t i = 0; i < size; ++i) to[i] = ax * x[i] + ay * y[i];
-    });
-    return offsets;
-}
-
-/// Hits across the line of sight in cells that are wider than the distance of two neighbouring rays
-/// of usual sensors at usual ranges.
-Silhouette silhouetteOf(const CanonicalHits& hits)
-{
-    constexpr std::size_t kCells = 128;
-    constexpr float kCell = 0.25F;  // m
-    constexpr float kLast = static_cast<float>(kCells - 1);
-    const Eigen::Vector2f across =
-        Eigen::Vector2f(-static_cast<float>(hits.sensor.y()), static_cast<float>(hits.sensor.x()))
-            .normalized();
-    const std::vector<float> offsets = acrossSight(hits, across);
-    const FloatRange range = rangeOf(offsets);
-    std::array<bool, kCells> hasHit{};
-    for (const std::int32_t cell : cellNumbers(offsets, range.min, 1.0F / kCell, kCells))
-        hasHit[static_cast<std::size_t>(cell)] = true;
-    const std::size_t cells =
-        1 + static_cast<std::size_t>(std::min(kLast, (range.max - range.min) / kCell));
-    const auto covered = std::count(hasHit.begin(), hasHit.end(), true);
-    return {static_cast<double>(range.max - range.min),
-            static_cast<double>(covered) / static_cast<double>(cells)};
+    float min = std::numeric_limits<float>::infinity();
+    float max = -min;
+    for (std::size_t i = 0; i < hits.size(); ++i)
+    {
+        if (hits.z[i] < from || hits.z[i] >= to) continue;
+        min = std::min(min, hits.y[i]);
+        max = std::max(max, hits.y[i]);
+    }
+    if (!(min < max)) return std::nullopt;
+    return static_cast<double>(max - min);
 }
 
 /// Hits of the object beside those that a closed surface of its extent would have if the frame's
@@ -229,9 +204,9 @@ Descriptors describe(const CanonicalHits& hits, const ObjectView& view)
     d.middle = z.above(0.5);
     d.columns = columnsOf(hits);
     countOutside(d, hits, view.box);
-    const Silhouette silhouette = silhouetteOf(hits);
-    d.breadth = silhouette.breadth;
-    d.coverage = silhouette.coverage;
+    d.silhouette = silhouetteOf(hits, view.planar);
+    d.lowWidth = widthOf(hits, 0.0F, kWindows);
+    d.highWidth = widthOf(hits, kWindows, std::numeric_limits<float>::infinity());
     d.density = densityOf(d, hits, view);
     d.bearing = std::atan2(std::abs(hits.sensor.y()), std::abs(hits.sensor.x()));
     d.match = view.match;

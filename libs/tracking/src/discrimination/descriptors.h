@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "discrimination/silhouette.h"
 #include "vdamf/tracking/discrimination/canonical_frame.h"
 
 namespace vdamf
@@ -24,11 +25,7 @@ struct Descriptors
     double match = 0.0;     ///< response of the fit per hit, 1/m
     double density = 0.0;   ///< log2 of the hits per those that a closed surface would have
     double bearing = 0.0;   ///< of the sensor from the end's direction, 0 to pi / 2, rad
-    /// As the sensor sees it: extent across the line of sight (m), and the share of it that hits
-    /// cover: posts in a line are no closed surface.
-    double breadth = 0.0;
-    double coverage = 0.0;
-    double high = 0.0;  ///< share of the hits above cars
+    double high = 0.0;      ///< share of the hits above cars
     struct LowHits
     {
         double depth = 0.0;         ///< mean distance to the nearest near face, m
@@ -37,6 +34,11 @@ struct Descriptors
         double onSide = 0.0;        ///< share that are nearer to the side than to the end
     };
     std::optional<LowHits> low;  ///< nothing where there are too few
+    /// Extent along y of the hits below and above the lower edge of the windows, m: roofs are
+    /// narrower than what carries them.
+    std::optional<double> lowWidth;
+    std::optional<double> highWidth;
+    Silhouette silhouette;
 };
 
 /// Of at least one hit.

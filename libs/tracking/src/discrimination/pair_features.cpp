@@ -28,11 +28,17 @@ constexpr double kShare[] = {0.0, 0.3, 0.7, 1.0};
 constexpr double kStraightness[] = {0.01, 0.05, 0.12, 0.3};
 constexpr double kMatch[] = {0.0, 0.3, 0.6, 1.0};
 
+constexpr double kThickness[] = {0.01, 0.035, 0.08, 0.15, 0.35};
+constexpr double kBend[] = {0.03, 0.1, 0.2, 0.35, 0.7};
+constexpr double kSlope[] = {-0.2, 0.0, 0.05, 0.15, 0.4};
+constexpr double kRagged[] = {0.0, 0.02, 0.08, 0.3, 1.0};
+constexpr double kLowWidth[] = {0.1, 0.5, 1.2, 1.8, 2.6};
+constexpr double kHighWidth[] = {0.15, 0.7, 1.3, 1.8, 3.0};
+
 enum class Needs
 {
     Nothing,
-    Heights,
-    LowHits
+    Heights
 };
 
 struct Number
@@ -40,33 +46,58 @@ struct Number
     const char* name;
     Knots knots;
     Needs needs;
-    double (*of)(const Descriptors&);
+    std::optional<double> (*of)(const Descriptors&);
 };
 
-const std::array<Number, 19> kNumbers = {{
-    {"length", knotsOf(kLength), Needs::Nothing, [](const Descriptors& d) { return d.length; }},
-    {"width", knotsOf(kWidth), Needs::Nothing, [](const Descriptors& d) { return d.width; }},
-    {"outside", knotsOf(kOutside), Needs::Nothing, [](const Descriptors& d) { return d.outside; }},
-    {"beyond", knotsOf(kOutside), Needs::Nothing, [](const Descriptors& d) { return d.beyond; }},
-    {"density", knotsOf(kDensity), Needs::Nothing, [](const Descriptors& d) { return d.density; }},
-    {"bearing", knotsOf(kBearing), Needs::Nothing, [](const Descriptors& d) { return d.bearing; }},
-    {"breadth", knotsOf(kBreadth), Needs::Nothing, [](const Descriptors& d) { return d.breadth; }},
-    {"coverage", knotsOf(kCoverage), Needs::Nothing,
-     [](const Descriptors& d) { return d.coverage; }},
-    {"match", knotsOf(kMatch), Needs::Nothing, [](const Descriptors& d) { return d.match; }},
-    {"depth", knotsOf(kDepth), Needs::LowHits, [](const Descriptors& d) { return d.low->depth; }},
-    {"near", knotsOf(kShare), Needs::LowHits, [](const Descriptors& d) { return d.low->near; }},
-    {"straightness", knotsOf(kStraightness), Needs::LowHits,
-     [](const Descriptors& d) { return d.low->straightness; }},
-    {"on_side", knotsOf(kShare), Needs::LowHits,
-     [](const Descriptors& d) { return d.low->onSide; }},
-    {"top", knotsOf(kTop), Needs::Heights, [](const Descriptors& d) { return d.top; }},
-    {"shoulder", knotsOf(kShoulder), Needs::Heights,
-     [](const Descriptors& d) { return d.shoulder; }},
-    {"middle", knotsOf(kMiddle), Needs::Heights, [](const Descriptors& d) { return d.middle; }},
-    {"bottom", knotsOf(kBottom), Needs::Heights, [](const Descriptors& d) { return d.bottom; }},
-    {"columns", knotsOf(kColumns), Needs::Heights, [](const Descriptors& d) { return d.columns; }},
-    {"high", knotsOf(kHigh), Needs::Heights, [](const Descriptors& d) { return d.high; }},
+template <auto number>
+std::optional<double> ofLowHits(const Descriptors& d)
+{
+    if (!d.low) return std::nullopt;
+    return (*d.low).*number;
+}
+
+template <auto number>
+std::optional<double> direct(const Descriptors& d)
+{
+    return d.*number;
+}
+
+template <auto number>
+std::optional<double> ofSilhouette(const Descriptors& d)
+{
+    return d.silhouette.*number;
+}
+
+using D = Descriptors;
+using L = Descriptors::LowHits;
+using S = Silhouette;
+
+constexpr std::array<Number, 25> kNumbers = {{
+    {"length", knotsOf(kLength), Needs::Nothing, direct<&D::length>},
+    {"width", knotsOf(kWidth), Needs::Nothing, direct<&D::width>},
+    {"outside", knotsOf(kOutside), Needs::Nothing, direct<&D::outside>},
+    {"beyond", knotsOf(kOutside), Needs::Nothing, direct<&D::beyond>},
+    {"density", knotsOf(kDensity), Needs::Nothing, direct<&D::density>},
+    {"bearing", knotsOf(kBearing), Needs::Nothing, direct<&D::bearing>},
+    {"breadth", knotsOf(kBreadth), Needs::Nothing, ofSilhouette<&S::breadth>},
+    {"coverage", knotsOf(kCoverage), Needs::Nothing, ofSilhouette<&S::coverage>},
+    {"thickness", knotsOf(kThickness), Needs::Nothing, ofSilhouette<&S::thickness>},
+    {"bend", knotsOf(kBend), Needs::Nothing, ofSilhouette<&S::bend>},
+    {"match", knotsOf(kMatch), Needs::Nothing, direct<&D::match>},
+    {"depth", knotsOf(kDepth), Needs::Nothing, ofLowHits<&L::depth>},
+    {"near", knotsOf(kShare), Needs::Nothing, ofLowHits<&L::near>},
+    {"straightness", knotsOf(kStraightness), Needs::Nothing, ofLowHits<&L::straightness>},
+    {"on_side", knotsOf(kShare), Needs::Nothing, ofLowHits<&L::onSide>},
+    {"top", knotsOf(kTop), Needs::Heights, direct<&D::top>},
+    {"shoulder", knotsOf(kShoulder), Needs::Heights, direct<&D::shoulder>},
+    {"middle", knotsOf(kMiddle), Needs::Heights, direct<&D::middle>},
+    {"bottom", knotsOf(kBottom), Needs::Heights, direct<&D::bottom>},
+    {"columns", knotsOf(kColumns), Needs::Heights, direct<&D::columns>},
+    {"high", knotsOf(kHigh), Needs::Heights, direct<&D::high>},
+    {"slope", knotsOf(kSlope), Needs::Heights, ofSilhouette<&S::slope>},
+    {"ragged", knotsOf(kRagged), Needs::Heights, ofSilhouette<&S::ragged>},
+    {"low_width", knotsOf(kLowWidth), Needs::Heights, direct<&D::lowWidth>},
+    {"high_width", knotsOf(kHighWidth), Needs::Heights, direct<&D::highWidth>},
 }};
 
 struct Pair
@@ -111,9 +142,10 @@ const Layout& layout()
 
 std::optional<KnotPlace> placeIn(const Number& number, const Descriptors& d, bool planar)
 {
-    if (number.needs == Needs::LowHits && !d.low) return std::nullopt;
     if (number.needs == Needs::Heights && planar) return std::nullopt;
-    return placeOf(number.knots, number.of(d));
+    const std::optional<double> value = number.of(d);
+    if (!value) return std::nullopt;
+    return placeOf(number.knots, *value);
 }
 // Calls each(first, rowSize, a, b) for the pairs of the descriptors that an object has: the feature
 // of the two lower knots, knots of the second one, shares of the upper knots of both.

@@ -19,6 +19,7 @@ struct TrainingOptions
     std::uint64_t seed = 1;
     /// Evenly chosen, so that objects that are seen for long do not outweigh the others.
     int framesPerTrack = 40;
+    int threads = 2;  ///< folds that are trained at a time; each takes memory of its own
     std::vector<double> costs = {0.01, 0.03, 0.1, 0.3, 1.0};  ///< C of the classifier, to try
 };
 

@@ -37,6 +37,6 @@ struct CanonicalHits
 };
 
 /// At most about `maxHits` hits, evenly chosen; hits that are not finite are dropped.
-CanonicalHits toCanonicalFrame(const ObjectView& view, std::size_t maxHits = 1024);
+CanonicalHits toCanonicalFrame(const ObjectView& view, std::size_t maxHits = 512);
 
 }  // namespace vdamf
