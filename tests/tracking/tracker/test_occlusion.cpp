@@ -103,11 +103,6 @@ TEST(Occlusion, StandingCarsKeepTheirIdentityWhileABusPasses)
                                         "[object across]\nclass = car\nx_m = 7\ny_m = 19\n"
                                         "heading_deg = 80\n"),
         9));
-    std::set<std::uint64_t> bus;
-    for (const Seen& frame : seen.at("bus"))
-        for (const TrackReport& track : frame.tracks)
-            if (track.box.length > 0.4 * frame.truth.box.length) bus.insert(track.id);
-    EXPECT_EQ(bus.size(), 1U) << "its pieces, and then it as a whole, are one bus";
     for (const char* name : {"along", "across"})
     {
         const Identities ids = identitiesOf(seen.at(name));
