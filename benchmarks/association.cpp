@@ -46,7 +46,11 @@ Scene sceneOf(int cars)
     {
         const double x = kAlong * (k / lanes);
         const double y = kAcross * (k % lanes);
-        scene.targets.push_back({{x, y, 0.0, 4.5, 1.8}, sigma(random), 0.2, 0.1, {10.0, 0.0}});
+        scene.targets.push_back({{x, y, 0.0, 4.5, 1.8},
+                                 Eigen::Vector2d::Constant(sigma(random)),
+                                 0.2,
+                                 0.1,
+                                 {10.0, 0.0}});
         scene.clusters.push_back(lineOfHits(x - 2.2, y - 0.9, 1.8, random));
         scene.clusters.push_back(lineOfHits(x + 0.4, y - 0.9, 1.7, random));
         scene.clusters.push_back(lineOfHits(x + 2.5, y - 0.6, 0.5, random));

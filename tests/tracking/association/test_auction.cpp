@@ -27,7 +27,7 @@ Hits line(const Eigen::Vector2d& a, const Eigen::Vector2d& b, int count = 20)
 
 PredictedTarget car(double x, double y, double sigma = 0.2)
 {
-    return {{x, y, 0.0, 4.5, 1.8}, sigma, 0.1, 0.1};
+    return {{x, y, 0.0, 4.5, 1.8}, {sigma, sigma}, 0.1, 0.1};
 }
 
 using Assignment = std::vector<std::vector<std::size_t>>;
@@ -102,6 +102,20 @@ TEST(AssignClusters, DoesNotDependOnTheOrderOfTargets)
             for (const std::size_t i : taken) ++owners[i];
         EXPECT_LE(*std::max_element(owners.begin(), owners.end()), 1);
     }
+}
+
+// What braked behind a wall is where it may be along its way, not beside it.
+TEST(AssignClusters, VagueAlongTheWayReachesAlongTheWay)
+{
+    PredictedTarget hidden = car(10.0, 0.0);
+    hidden.positionSigma = {1.5, 0.2};
+    const auto takes = [&](const Hits& hits)
+    { return !assignClusters({hidden}, {hits}, {}).front().empty(); };
+    EXPECT_TRUE(takes(line({5.2, -0.9}, {7.7, -0.9})));
+    EXPECT_FALSE(takes(line({9.0, 2.9}, {11.5, 2.9})));
+    hidden.positionSigma = {0.2, 1.5};
+    EXPECT_FALSE(takes(line({4.0, 0.0}, {6.5, 0.0})));
+    EXPECT_TRUE(takes(line({9.0, 2.9}, {11.5, 2.9})));
 }
 
 }  // namespace

@@ -45,7 +45,7 @@ Cluster together(Cluster a, const Cluster& b)
 
 PredictedTarget car(double x, double y, double sigma = 0.2)
 {
-    return {{x, y, 0.0, 4.5, 1.8}, sigma, 0.1, 0.1, Eigen::Vector2d::Zero()};
+    return {{x, y, 0.0, 4.5, 1.8}, {sigma, sigma}, 0.1, 0.1, Eigen::Vector2d::Zero()};
 }
 
 std::vector<SharedCluster> shared(const std::vector<PredictedTarget>& targets,

@@ -10,7 +10,7 @@ namespace vdamf
 {
 namespace
 {
-constexpr double kDecisive = 5.0;
+constexpr double kDecisive = 3.0;  // as for tracks that are not young
 
 HeadingCues driving(double direction, double speed)
 {
@@ -80,10 +80,11 @@ TEST(HeadingBelief, AShortRowAfterALongOneIsAPartOfIt)
     EXPECT_LT(afterFrames(HeadingBelief().after(once), part, 5).axesProbability(), 0.05);
 }
 
-TEST(HeadingBelief, OneFrameTurnsNothing)
+TEST(HeadingBelief, OneFrameTurnsNothingThatWasKnown)
 {
     EXPECT_EQ(HeadingBelief().after(driving(kPi, 8.0)).turnDue(kDecisive), 0);
-    EXPECT_EQ(HeadingBelief().after(seen(1.7, 4.2)).turnDue(kDecisive), 0);
+    EXPECT_EQ(HeadingBelief(seen(4.3, 1.8)).after(seen(1.7, 4.2)).turnDue(kDecisive), 0);
+    EXPECT_EQ(afterFrames({}, seen(4.3, 1.8), 20).after(seen(1.7, 4.2)).turnDue(0.0), 0);
 }
 
 TEST(HeadingBelief, DrivingBackwardsForLongTurnsByHalf)
@@ -118,6 +119,15 @@ TEST(HeadingBelief, DrivingAcrossTurnsByAQuarter)
 {
     EXPECT_EQ(afterFrames({}, driving(0.5 * kPi, 5.0), 6).turnDue(kDecisive), 1);
     EXPECT_EQ(afterFrames({}, driving(-0.5 * kPi, 5.0), 6).turnDue(kDecisive), 3);
+}
+
+TEST(HeadingBelief, ACourseOutweighsSizesThatWereSeenForLong)
+{
+    HeadingCues sideOfABicycle = seen(std::nullopt, 1.8);
+    const HeadingBelief taken = afterFrames({}, sideOfABicycle, 100);
+    EXPECT_GT(taken.axesProbability(), 0.99);
+    sideOfABicycle.course = {0.5 * kPi, 5.0};
+    EXPECT_EQ(afterFrames(taken, sideOfABicycle, 10).turnDue(3.0), 1);
 }
 
 TEST(HeadingBelief, SidesTakenForEndsTurnByAQuarterAndNeverBack)

@@ -186,6 +186,20 @@ TEST(StartState, AssumesACarBehindACarsEnd)
     EXPECT_NEAR(start(1.0, 1.7, plain).mean(kLength), 1.0, 1e-3);
 }
 
+// A minute of an end alone tells nothing of the length.
+TEST(FaceErrors, OfWhatIsNotToldNeverMakeALengthKnown)
+{
+    VehicleKalmanFilter filter{MotionOptions()};
+    const VisibilityOptions o;
+    const Measurement rear = measured({20.0, 0.0, 0.0, 1.2, 1.75}, faces({Face::Back}));
+    VehicleState state = startState(rear, 1.5, {0, 0}, {0.0, 0.1}, o, MotionOptions());
+    const double before = state.covariance(kLength, kLength);
+    for (int k = 0; k < 600; ++k)
+        state = filter.update(
+            state, boxThrough(rear, faceErrors(rear, state, o), state.size(), {0, 0}, o));
+    EXPECT_GT(state.covariance(kLength, kLength), 0.9 * before);
+}
+
 TEST(AlignedWith, TurnsFrontAndFaces)
 {
     const Measurement m = measured({1, 2, 0.1, 4.5, 1.8}, faces({Face::Back, Face::Left}));

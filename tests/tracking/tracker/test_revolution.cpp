@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <ostream>
 #include <set>
+#include <string>
 
 #include "tracking/tracker/example_frames.h"
 #include "vdamf/tracking/estimation/vehicle_kalman_filter.h"
@@ -72,6 +74,66 @@ TEST(Revolution, BoxesStandWhereCarsAreAtTheFramesTime)
         EXPECT_NEAR(track->box.length, 4.4, 0.35) << k;
     }
 }
+
+struct Drive
+{
+    const char* name;
+    double y;      // m to the left of the sensor
+    double start;  // m ahead of it
+    double speed;  // m/s
+};
+
+std::ostream& operator<<(std::ostream& out, const Drive& drive)
+{
+    return out << drive.name;
+}
+
+// Mean of the centre and the heading (either way round) against the truth at the frames' times.
+Eigen::Vector3d meanError(const Drive& drive, double period)
+{
+    constexpr int kSettled = 12;
+    constexpr int kFrames = 28;
+    Tracker tracker{TrackerOptions()};
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (int k = 0; k < kFrames; ++k)
+    {
+        const double t = kPeriod * k;
+        const OrientedBox truth{drive.start + drive.speed * t, drive.y, 0.0, 4.4, 1.8};
+        const FrameResult r = tracker.process(exampleFrame(
+            t, {0.0, 0.0}, {{truth, 1.5, {drive.speed, 0.0}}}, 500U + unsigned(k), period));
+        if (k < kSettled) continue;
+        const TrackReport* track = onlyConfirmedNear(r, truth.centre());
+        if (track == nullptr)
+        {
+            ADD_FAILURE() << "no track at " << t;
+            continue;
+        }
+        sum += Eigen::Vector3d(track->box.x - truth.x, track->box.y - truth.y,
+                               0.5 * wrapAngle(2.0 * track->box.heading));
+    }
+    return sum / (kFrames - kSettled);
+}
+
+class FromATurningSensor : public testing::TestWithParam<Drive>
+{
+};
+
+// As from a sensor that sees all at once: what is left is the fit's, not the motion's.
+TEST_P(FromATurningSensor, BoxesAreAsFromAnInstant)
+{
+    const Eigen::Vector3d turning = meanError(GetParam(), kPeriod);
+    const Eigen::Vector3d instant = meanError(GetParam(), 0.0);
+    EXPECT_NEAR(turning.x(), instant.x(), 0.03);
+    EXPECT_NEAR(turning.y(), instant.y(), 0.03);
+    EXPECT_NEAR(turning.z(), instant.z(), 0.3 * kPi / 180.0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Cars, FromATurningSensor,
+                         testing::Values(Drive{"abreast", 7.0, -20.0, 15.0},
+                                         Drive{"oncoming", 6.0, 48.0, -15.0},
+                                         Drive{"away_through_the_seam", 0.1, 6.0, 15.0},
+                                         Drive{"towards_through_the_seam", 0.1, 50.0, -15.0}),
+                         [](const auto& test) { return std::string(test.param.name); });
 
 // The measurement is that of a later time; what it tells is brought back.
 TEST(Revolution, AMeasurementOfLaterTellsOfNow)

@@ -31,8 +31,8 @@ std::vector<PlaneBounds> reachOf(const std::vector<PredictedTarget>& targets, do
         const double s = std::abs(std::sin(t.box.heading));
         const Eigen::Vector2d half(0.5 * (c * t.box.length + s * t.box.width),
                                    0.5 * (s * t.box.length + c * t.box.width));
-        const double margin =
-            gate * std::hypot(options.surfaceSigma, t.positionSigma) + sweep * t.velocity.norm();
+        const double margin = gate * std::hypot(options.surfaceSigma, t.positionSigma.maxCoeff()) +
+                              sweep * t.velocity.norm();
         const Eigen::Vector2d reach = half.array() + margin;
         all.push_back({t.box.centre() - reach, t.box.centre() + reach});
     }
@@ -58,11 +58,11 @@ TargetSurface::TargetSurface(const PredictedTarget& target, const AssociationOpt
       half_(0.5 * target.box.length, 0.5 * target.box.width),
       c_(std::cos(target.box.heading)),
       s_(std::sin(target.box.heading)),
-      variance_(options.surfaceSigma * options.surfaceSigma +
-                target.positionSigma * target.positionSigma),
+      weight_((target.positionSigma.array().square() + options.surfaceSigma * options.surfaceSigma)
+                  .inverse()),
       // Vague targets pay for their reach, so that a precise one wins a cluster both could explain.
-      worth_(0.5 * squaredGate(options) -
-             0.5 * std::log(variance_ / (options.surfaceSigma * options.surfaceSigma)))
+      worth_(0.5 * squaredGate(options) +
+             0.25 * std::log(weight_.prod() * std::pow(options.surfaceSigma, 4)))
 {
 }
 
@@ -92,15 +92,15 @@ double TargetSurface::benefit(const Hits& hits) const
         inGroupsOf<kLanes<Doubles>>(size, add);
         *result = sumOf(sum);
     });
-    return worth_ * hits.totalWeight - 0.5 * squares / variance_;
+    return worth_ * hits.totalWeight - 0.5 * squares;
 }
 
 double TargetSurface::weightBeyond(double squaredDistance, const Hits& hits) const
 {
     double beyond = 0.0;
     inWideLanes([
-        surface = *this, limit = squaredDistance * variance_, size = hits.size(),
-        px = hits.x.data(), py = hits.y.data(), weight = hits.weight.data(), result = &beyond
+        surface = *this, limit = squaredDistance, size = hits.size(), px = hits.x.data(),
+        py = hits.y.data(), weight = hits.weight.data(), result = &beyond
     ]() __attribute__((always_inline)) {
         Doubles sum{};
         const auto add = [&](std::size_t first, std::size_t count) __attribute__((always_inline))

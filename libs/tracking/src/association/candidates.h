@@ -30,7 +30,7 @@ public:
         const double dy = y - centre_.y();
         const double outX = std::max(0.0, std::abs(c_ * dx + s_ * dy) - half_.x());
         const double outY = std::max(0.0, std::abs(c_ * dy - s_ * dx) - half_.y());
-        return (outX * outX + outY * outY) / variance_;
+        return outX * outX * weight_.x() + outY * outY * weight_.y();
     }
 
     /// Log likelihood ratio of hits: on this target against on a new object.
@@ -40,7 +40,7 @@ public:
     double weightBeyond(double squaredDistance, const Hits& hits) const;
 
 private:
-    // Squared distances of some places, m^2.
+    // Squared distances of some places in standard deviations.
     [[gnu::always_inline]] void squares(const double* px, const double* py, std::size_t count,
                                         Doubles& square) const
     {
@@ -56,15 +56,15 @@ private:
         const Doubles outY = (across < 0.0 ? -across : across) - half_.y();
         const Doubles farX = outX > 0.0 ? outX : Doubles{};
         const Doubles farY = outY > 0.0 ? outY : Doubles{};
-        square = farX * farX + farY * farY;
+        square = weight_.x() * farX * farX + weight_.y() * farY * farY;
     }
 
     Eigen::Vector2d centre_;
     Eigen::Vector2d velocity_;
     Eigen::Vector2d half_;
     double c_, s_;
-    double variance_;  // m^2
-    double worth_;     // of a hit in the box
+    Eigen::Vector2d weight_;  // inverse variances along and across, 1/m^2
+    double worth_;            // of a hit in the box
 };
 
 /// Squared distance of the gate, of a Gaussian in the plane: chi-square with 2 degrees of freedom.

@@ -72,7 +72,7 @@ std::vector<std::size_t> targetsOn(const Hits& hits, const std::vector<std::size
     std::vector<Fit> fits;
     for (const std::size_t j : inReach)
     {
-        if (targets[j].positionSigma >= kSurePosition) continue;
+        if (targets[j].positionSigma.maxCoeff() >= kSurePosition) continue;
         const TargetSurface surface = finder.surfaceOf(j, hits);
         const double off = surface.weightBeyond(kOff, hits);
         // As for most clusters: nothing is left for another target.

@@ -20,10 +20,13 @@ constexpr double kSideways = 0.5;      // cosine, below which a course is neithe
 constexpr double kKnown = 4.0;
 // Frames show the same thing again and again: all of them say at most so many times what one does.
 constexpr double kRepeats = 3.0;
+// Sizes never outweigh a course that goes on: two-wheelers have sides as wide as cars.
+constexpr double kMostBySizes = 5.0;
 
-double withEvidence(double odds, double evidence, double frames, double repeats)
+double withEvidence(double odds, double evidence, double frames, double repeats,
+                    double mostEver = kCertain)
 {
-    const double most = std::clamp(repeats * evidence, -kCertain, kCertain);
+    const double most = std::clamp(repeats * evidence, -mostEver, mostEver);
     const double next = odds + frames * evidence;
     return evidence > 0.0 ? std::max(odds, std::min(next, most))
                           : std::min(odds, std::max(next, most));
@@ -80,7 +83,7 @@ HeadingBelief HeadingBelief::after(const HeadingCues& cues) const
     HeadingCues sizes = cues;
     if (cues.end) sizes.end = next.longestEnd_;
     if (cues.side) sizes.side = next.longestSide_;
-    next.axes_ = withEvidence(axes_, axesEvidence(sizes), frames, kRepeats);
+    next.axes_ = withEvidence(axes_, axesEvidence(sizes), frames, kRepeats, kMostBySizes);
     next.neighbours_ = cues.neighbours;
     const double forth = course_[0] - course_[2];
     if (std::abs(forth) < kKnown)

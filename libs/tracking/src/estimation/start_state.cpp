@@ -15,8 +15,8 @@ constexpr double kWidestCar = 2.3;  // m
 // part of a side, or no vehicle.
 constexpr double kTruckHeight = 2.0;  // m
 constexpr double kWidestTruck = 2.8;  // m
-constexpr double kTruckLength = 8.0;
-constexpr double kTruckLengthSigma = 2.5;
+constexpr double kTruckLength = 9.0;
+constexpr double kTruckLengthSigma = 2.0;
 
 struct Assumed
 {
@@ -97,7 +97,12 @@ BoxMeasurement withSizes(const Measurement& m, double height, const Eigen::Vecto
             sigma.x() = behind->sigma;
         }
     }
-    BoxMeasurement box = boxThrough(m, faceErrors(m, o), known, sensor, o);
+    FaceErrors errors = faceErrors(m, o);
+    for (int axis = 0; axis < 2; ++axis)
+        // The hits are somewhere on it.
+        if (!errors.tells(axis, 0) && !errors.tells(axis, 1))
+            errors.sigma[axis][0] = errors.sigma[axis][1] = 0.5 * known(axis);
+    BoxMeasurement box = boxThrough(m, errors, known, sensor, o);
     box = withKnown(box, 3, known.x(), sigma.x() * sigma.x());
     return withKnown(box, 4, known.y(), sigma.y() * sigma.y());
 }

@@ -48,30 +48,64 @@ public:
                             *first = least;
                             *last = most;
                         });
-        for (auto& table : bins_) std::fill(table.data() + first_, table.data() + last_ + 1, 0.0F);
-        for (std::size_t i = 0; i < bins.size(); ++i) bins_[i % 2][bins[i]] += weights[i];
+        for (auto& table : bins_)
+            std::fill(table.data() + first_ + kPadding - 1, table.data() + last_ + 2 * kPadding,
+                      0.0F);
+        std::size_t i = 0;
+        for (; i + 1 < bins.size(); i += 2)
+        {
+            bins_[0][bins[i] + kPadding] += weights[i];
+            bins_[1][bins[i + 1] + kPadding] += weights[i + 1];
+        }
+        if (i < bins.size()) bins_[0][bins[i] + kPadding] += weights[i];
     }
 
+    // Of equal ones the first.
     Peak peak() const
     {
-        float most = 0.0F;
-        std::size_t at = 0;
-        float before = 0.0F;
-        const std::size_t end = std::min<std::size_t>(last_ + 1U, kBins - 1);
-        for (std::size_t k = first_; k <= end; ++k)
+        Heaviest all;
+        inWideLanes([
+            first = std::max<std::size_t>(first_, 1),
+            end = std::min<std::size_t>(last_ + 2U, kBins), even = bins_[0].data() + kPadding,
+            odd = bins_[1].data() + kPadding, result = &all
+        ]() __attribute__((always_inline)) {
+            Heaviest heaviest;
+            for (std::size_t k = first; k < end; k += kLanes<Floats>)
+            {
+                Floats a, b, aBefore, bBefore;
+                load(a, even + k);
+                load(b, odd + k);
+                load(aBefore, even + k - 1);
+                load(bBefore, odd + k - 1);
+                const Floats both = (aBefore + bBefore) + (a + b);
+                const Floats at = static_cast<float>(k) + kNumbers;
+                const auto isNew = (both > heaviest.weight) & (at < static_cast<float>(end));
+                heaviest.weight = isNew ? both : heaviest.weight;
+                heaviest.at = isNew ? at : heaviest.at;
+            }
+            *result = heaviest;
+        });
+        std::size_t best = 0;
+        for (std::size_t k = 1; k < kLanes<Floats>; ++k)
         {
-            const float here = k <= last_ ? bins_[0][k] + bins_[1][k] : 0.0F;
-            const float both = before + here;
-            before = here;
-            if (both <= most || k == 0) continue;
-            most = both;
-            at = k;
+            const bool isFirst = all.weight[k] == all.weight[best] && all.at[k] < all.at[best];
+            if (all.weight[k] > all.weight[best] || isFirst) best = k;
         }
-        return {kBin * static_cast<double>(at) - kMiddle, most};
+        return {kBin * static_cast<double>(all.at[best]) - kMiddle,
+                static_cast<double>(all.weight[best])};
     }
 
 private:
-    std::array<std::array<float, kBins + 1>, 2> bins_;  // of those from first_ to last_
+    static constexpr std::size_t kPadding = kLanes<Floats>;
+    static constexpr Floats kNumbers = {0, 1, 2, 3, 4, 5, 6, 7};
+    struct Heaviest
+    {
+        Floats weight{};
+        Floats at{};
+    };
+
+    // From the bin before first_ to those that a look at some of them reads behind last_.
+    std::array<std::array<float, kBins + 1 + 2 * kPadding>, 2> bins_;
     std::uint16_t first_ = kBins;
     std::uint16_t last_ = 0;
 };
@@ -81,13 +115,16 @@ class TurnedHits
 {
 public:
     TurnedHits(const Hits& hits, const Eigen::Vector2d& origin)
-        : x_(hits.size()), y_(hits.size()), binX_(hits.size()), binY_(hits.size())
+        : x_(hits.size()),
+          y_(hits.size()),
+          weight_(hits.weight.begin(), hits.weight.end()),
+          binX_(hits.size()),
+          binY_(hits.size())
     {
         for (std::size_t i = 0; i < hits.size(); ++i)
         {
             x_[i] = static_cast<float>(hits.x[i] - origin.x());
             y_[i] = static_cast<float>(hits.y[i] - origin.y());
-            weight_.push_back(static_cast<float>(hits.weight[i]));
         }
     }
 

@@ -4,7 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
+
+#include "types/wide_lanes.h"
 
 namespace vdamf
 {
@@ -21,8 +24,8 @@ struct FacePlace
 
 struct RowHit
 {
-    double along;  // outwards
-    double weight;
+    double along = 0.0;  // outwards
+    double weight = 0.0;
 };
 
 // Hits on a face lie at most so far behind it (round corners) and before it, m.
@@ -37,10 +40,17 @@ constexpr double kLargestGap = 1.0;
 std::optional<FacePlace> rowEnd(std::vector<RowHit> row, double fitted, double sign, double shape,
                                 const FilterParameters& parameters)
 {
-    std::sort(row.begin(), row.end(),
-              [](const RowHit& a, const RowHit& b) { return a.along < b.along; });
     constexpr std::size_t kForGap = 4;
     if (row.size() < kForGap) return std::nullopt;
+    // The row goes on at least to here: of what lies before, the last ones only need their order.
+    const double least = fitted - parameters.lines.fitExcess;
+    const auto end = std::partition(row.begin(), row.end(),
+                                    [&](const RowHit& hit) { return hit.along < least; });
+    const auto byPlace = [](const RowHit& a, const RowHit& b) { return a.along < b.along; };
+    const auto before = static_cast<std::size_t>(end - row.begin());
+    if (before > kForGap) std::nth_element(row.begin(), end - kForGap, end, byPlace);
+    std::sort(before > kForGap ? end - kForGap : row.begin(), end, byPlace);
+    std::sort(end, row.end(), byPlace);
     const auto gapBefore = [&](std::size_t last)
     { return (row[last].along - row[last + 1 - kForGap].along) / (kForGap - 1.0); };
     // The row ends where a gap is wide for one as dense as it is, but not well inside of what the
@@ -49,7 +59,7 @@ std::optional<FacePlace> rowEnd(std::vector<RowHit> row, double fitted, double s
     const auto goesOn = [&](std::size_t next)
     {
         const double gap = row[next].along - row[next - 1].along;
-        return row[next].along < fitted - parameters.lines.fitExcess ||
+        return row[next].along < least ||
                gap < std::clamp(kWideGap * gapBefore(next - 1), kLeastGap, kLargestGap);
     };
     while (count < row.size() && goesOn(count)) ++count;
@@ -81,10 +91,21 @@ public:
         turned_.heading = wrapAngle(fitted.heading + lines.turn);
         const Eigen::Vector2d view = toBoxFrame(turned_, sensor);
         nearSign_ = {view.x() > 0.0 ? 1.0 : -1.0, view.y() > 0.0 ? 1.0 : -1.0};
-        const Eigen::Matrix2d toBox = rotation(-turned_.heading);
-        inBox_.resize(hits.size());
-        for (std::size_t i = 0; i < hits.size(); ++i)
-            inBox_[i] = toBox * (Eigen::Vector2d(hits.x[i], hits.y[i]) - turned_.centre());
+        for (auto& places : inBox_) places.resize(hits.size());
+        inWideLanes([
+            c = std::cos(turned_.heading), s = std::sin(turned_.heading), x0 = turned_.x,
+            y0 = turned_.y, px = hits.x.data(), py = hits.y.data(), size = hits.size(),
+            toX = inBox_[0].data(), toY = inBox_[1].data()
+        ]() __attribute__((always_inline)) {
+            VDAMF_INDEPENDENT_LANES
+            for (std::size_t i = 0; i < size; ++i)
+            {
+                const double dx = px[i] - x0;
+                const double dy = py[i] - y0;
+                toX[i] = c * dx + s * dy;
+                toY[i] = c * dy - s * dx;
+            }
+        });
     }
 
     FaceBox build() const
@@ -129,9 +150,10 @@ private:
         else if (seen_[1 - axis])
         {
             const double shape = std::max(line(0).shape, line(1).shape);
-            const std::vector<RowHit> row = rowAlong(axis, sign);
+            std::vector<RowHit> row = rowAlong(axis, sign);
             const double reach = sign == nearSign_[axis] ? 0.0 : farReach(axis, row);
-            if (const auto end = rowEnd(row, half_[axis], sign, shape, options_.parameters))
+            if (const auto end =
+                    rowEnd(std::move(row), half_[axis], sign, shape, options_.parameters))
             {
                 place = *end;
                 place.at += sign * reach;
@@ -156,16 +178,20 @@ private:
     std::vector<RowHit> rowAlong(std::size_t axis, double sign) const
     {
         const double face = nearAt(1 - axis);
-        std::vector<RowHit> row;
-        row.reserve(inBox_.size());
-        for (std::size_t i = 0; i < inBox_.size(); ++i)
+        const double nearSign = nearSign_[1 - axis];
+        const double* const across = inBox_[1 - axis].data();
+        const double* const outwards = inBox_[axis].data();
+        std::vector<RowHit> row(hits_.size());
+        std::size_t taken = 0;
+        for (std::size_t i = 0; i < row.size(); ++i)
         {
-            const auto a = static_cast<Eigen::Index>(axis);
-            const double depth = nearSign_[1 - axis] * (face - inBox_[i](1 - a));
-            const double along = sign * inBox_[i](a);
-            if (depth > -kInFront && depth < kBehind && along > 0.0)
-                row.push_back({along, hits_.weight[i]});
+            const double depth = nearSign * (face - across[i]);
+            const double along = sign * outwards[i];
+            // Written always, counted when taken: whether it is, is hard to foretell.
+            row[taken] = {along, hits_.weight[i]};
+            taken += ((depth > -kInFront) & (depth < kBehind) & (along > 0.0)) ? 1 : 0;
         }
+        row.resize(taken);
         return row;
     }
 
@@ -212,7 +238,7 @@ private:
     std::array<double, 2> half_;
     std::array<bool, 2> seen_;
     std::array<double, 2> nearSign_{};
-    std::vector<Eigen::Vector2d> inBox_;
+    std::array<std::vector<double>, 2> inBox_;  // the hits, along the heading and across it
 };
 }  // namespace
 

@@ -155,6 +155,7 @@ Track quarterTurned(const Track& track, const Sighting& sighting, int quarters,
     Track next = track;
     next.state = fresh.state;
     next.measurement = fresh.measurement;
+    next.around = fresh.around;
     next.hypotheses = hypothesesFrom(next.state, options.motion);
     return next;
 }
@@ -186,6 +187,8 @@ Track reversed(const Track& track, const MotionOptions& motion)
     next.hypotheses.free.mean(kHeading) = wrapAngle(track.hypotheses.free.mean(kHeading) + kPi);
     next.state = next.hypotheses.combined(motion);
     next.measurement = alignedWith(*track.measurement, next.state.mean(kHeading));
+    next.around.x = -track.around.x;
+    next.around.y = -track.around.y;
     return next;
 }
 

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <functional>
+#include <iterator>
 #include <utility>
 
 #include "types/lanes.h"
@@ -46,6 +49,40 @@ double groundSum(const Cluster& cluster)
     const std::size_t rest = cluster.size() % kLanes<Floats>;
     return over + static_cast<double>(base) * static_cast<double>(cluster.size() - rest);
 }
+
+using RowHit = std::pair<double, double>;  // along, weight
+
+constexpr double kWideGap = 1.0;  // m: what goes on behind it is something else
+
+// Whether it is plain, without sorting, that the places have no wide gap: a gap leaves bins empty.
+bool hasNoGap(const std::vector<RowHit>& places)
+{
+    constexpr double kBin = 0.45 * kWideGap;
+    constexpr double kBins = 64.0;
+    if (places.empty()) return false;
+    const auto [first, last] = std::minmax_element(places.begin(), places.end());
+    const double bins = std::floor((last->first - first->first) / kBin) + 1.0;
+    if (bins > kBins) return false;
+    std::uint64_t hasHit = 0;
+    for (const RowHit& hit : places)
+        hasHit |= std::uint64_t{1} << static_cast<unsigned>((hit.first - first->first) / kBin);
+    return hasHit == ~std::uint64_t{0} >> static_cast<unsigned>(kBins - bins);
+}
+
+// All of the row but the outermost hundredth at either end.
+FaceRow rowOf(std::vector<RowHit>::iterator begin, std::vector<RowHit>::iterator end)
+{
+    const auto size = static_cast<std::size_t>(end - begin);
+    const std::size_t outermost = size / 100;
+    std::vector<RowHit> lowest(outermost + 1);
+    std::vector<RowHit> highest(outermost + 1);
+    std::partial_sort_copy(begin, end, lowest.begin(), lowest.end());
+    std::partial_sort_copy(begin, end, highest.begin(), highest.end(), std::greater<>());
+    FaceRow row;
+    row.metres = highest.back().first - lowest.back().first;
+    for (auto hit = begin; hit != end; ++hit) row.hits += hit->second;
+    return row;
+}
 }  // namespace
 
 double heightOf(const Cluster& cluster)
@@ -70,18 +107,33 @@ Hits hitsOf(const SegmentedFrame& frame, const std::vector<std::size_t>& cluster
     return all;
 }
 
+OrientedBox rectangleAround(const Hits& hits, double heading)
+{
+    const Eigen::Matrix2d axes = rotation(heading);
+    Eigen::Vector2d min = Eigen::Vector2d::Constant(1e30);
+    Eigen::Vector2d max = -min;
+    for (std::size_t i = 0; i < hits.size(); ++i)
+    {
+        const Eigen::Vector2d p = axes.transpose() * Eigen::Vector2d(hits.x[i], hits.y[i]);
+        min = min.cwiseMin(p);
+        max = max.cwiseMax(p);
+    }
+    const Eigen::Vector2d middle = axes * (0.5 * (min + max));
+    return {middle.x(), middle.y(), heading, max.x() - min.x(), max.y() - min.y()};
+}
+
 FaceRow rowAlongFace(const Hits& hits, const OrientedBox& box, const Eigen::Vector2d& sensor,
                      int axis)
 {
     constexpr double kInFront = 0.25;  // m, of the face
     constexpr double kBehind = 0.45;   // m: where it is round
-    constexpr double kWideGap = 1.0;   // m: what goes on behind it is something else
     const Eigen::Matrix2d axes = rotation(box.heading);
     const Eigen::Vector2d outwards =
         std::copysign(1.0, toBoxFrame(box, sensor)(axis)) * axes.col(axis);
     const Eigen::Vector2d along = axes.col(1 - axis);
     const double half = 0.5 * (axis == 0 ? box.length : box.width);
-    std::vector<std::pair<double, double>> places;  // along, weight
+    std::vector<RowHit> places;
+    places.reserve(hits.size());
     for (std::size_t i = 0; i < hits.size(); ++i)
     {
         const Eigen::Vector2d p = Eigen::Vector2d(hits.x[i], hits.y[i]) - box.centre();
@@ -89,15 +141,14 @@ FaceRow rowAlongFace(const Hits& hits, const OrientedBox& box, const Eigen::Vect
         if (behind > -kInFront && behind < kBehind)
             places.emplace_back(along.dot(p), hits.weight[i]);
     }
+    if (hasNoGap(places)) return rowOf(places.begin(), places.end());
     std::sort(places.begin(), places.end());
     FaceRow best;
-    for (std::size_t first = 0, last = 0; first < places.size(); first = last)
+    for (auto first = places.begin(), last = first; first != places.end(); first = last)
     {
-        FaceRow row;
-        do row.hits += places[last].second;
-        while (++last < places.size() && places[last].first < places[last - 1].first + kWideGap);
-        const std::size_t outermost = (last - first) / 100;
-        row.metres = places[last - 1 - outermost].first - places[first + outermost].first;
+        do ++last;
+        while (last != places.end() && last->first < std::prev(last)->first + kWideGap);
+        const FaceRow row = rowOf(first, last);
         if (row.hits > best.hits) best = row;
     }
     return best;
@@ -133,6 +184,7 @@ Sighting sightingOf(const SegmentedFrame& frame, const std::vector<std::size_t>&
                                   start, options, knownLengthWidth, effort);
     Measurement& m = s.measurement;
     m.hiddenEnds = hiddenEnds(m.box, m.facesSeen, sensor, frame.profile);
+    s.around = rectangleAround(seen.hits, m.box.heading);
     s.end = rowAlongFace(seen.hits, m.box, sensor, 0);
     s.side = rowAlongFace(seen.hits, m.box, sensor, 1);
     if (seen.goesOn) m = goingOnTowards(m, *seen.goesOn);

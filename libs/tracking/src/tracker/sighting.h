@@ -52,6 +52,7 @@ struct Sighting
     Eigen::Vector2d sensor = Eigen::Vector2d::Zero();  ///< m
     std::vector<std::size_t> clusters;                 ///< of the frame, whose hits they are
     Measurement measurement;
+    OrientedBox around;    ///< the hits, along and across the box
     FaceRow side, end;     ///< of the faces towards the sensor
     double groundZ = 0.0;  ///< local ground, m
     double height = 0.0;   ///< of the highest hit above it, m
@@ -62,6 +63,9 @@ double heightOf(const Cluster& cluster);
 
 /// The hits of some of the frame's clusters together.
 Hits hitsOf(const SegmentedFrame& frame, const std::vector<std::size_t>& clusters);
+
+/// The smallest rectangle of a heading with all hits.
+OrientedBox rectangleAround(const Hits& hits, double heading);
 
 /// The row of hits along the face of a box that lies towards the sensor across `axis` (0: length,
 /// so an end; 1: width, a side).

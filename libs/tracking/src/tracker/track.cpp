@@ -20,6 +20,13 @@ void appendToPath(Track& track, const PathPoint& point)
     track.path.erase(track.path.begin(), first);
 }
 
+// A box in the frame of another one.
+OrientedBox inFrameOf(const OrientedBox& frame, const OrientedBox& box)
+{
+    const Eigen::Vector2d centre = toBoxFrame(frame, box.centre());
+    return {centre.x(), centre.y(), wrapAngle(box.heading - frame.heading), box.length, box.width};
+}
+
 // The measurement as it would have been `lag` seconds before, at the time of the state.
 Measurement broughtTo(const VehicleState& state, const Measurement& measurement, double lag,
                       const MotionOptions& options)
@@ -33,6 +40,14 @@ Measurement broughtTo(const VehicleState& state, const Measurement& measurement,
     return m;
 }
 }  // namespace
+
+OrientedBox Track::boxOfHits() const
+{
+    const OrientedBox pose = box();
+    const Eigen::Vector2d centre = pose.centre() + rotation(pose.heading) * around.centre();
+    return {centre.x(), centre.y(), wrapAngle(pose.heading + around.heading), around.length,
+            around.width};
+}
 
 Track startedTrack(std::uint64_t id, const Sighting& sighting, const StartSpeed& speed,
                    const TrackerOptions& options)
@@ -50,6 +65,7 @@ Track startedTrack(std::uint64_t id, const Sighting& sighting, const StartSpeed&
     track.lastSeen = sighting.time;
     track.seenFrom = sighting.sensor;
     track.told = SizesTold().with(m);
+    track.around = inFrameOf(seen.box(), sighting.around);
     track.front = HeadingBelief(sizeCues(sighting, track.height));
     track.measurement = m;
     track.lastMatch = m.match;
@@ -81,6 +97,7 @@ Track sightedTrack(Track track, const Sighting& sighting, double neighbours,
     track.hypotheses = updated(hypotheses, box, jitter, filter, options.lifecycle.nisGate);
     track.lastingError = lastingError(box, jitter);
     track.told = track.told.with(m);
+    track.around = inFrameOf(then.box(), sighting.around);
     track.state = track.hypotheses.combined(options.motion);
     track.measurement = m;
     track.lastMatch = m.match;

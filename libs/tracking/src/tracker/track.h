@@ -36,7 +36,7 @@ struct Track
     VehicleState state;  ///< both together
     JitterShares jitter;
     Eigen::Matrix3d lastingError =
-        Eigen::Matrix3d::Zero();  ///< of the last sighting: x, y, heading
+        Eigen::Matrix3d::Zero();                         ///< of the last sighting: x, y, heading
     Eigen::Vector2d seenFrom = Eigen::Vector2d::Zero();  ///< sensor of the last frame, m
     double groundZ = 0.0;
     double height = 0.0;
@@ -47,6 +47,7 @@ struct Track
     double lastMatch = 0.0;  ///< response per hit of the last sighting, 1/m
     HeadingBelief front;
     SizesTold told;
+    OrientedBox around;                ///< the hits of the last sighting, in the frame of the box
     std::vector<PathPoint> path;       ///< sightings of the last seconds
     VehicleEvidence evidence;          ///< of the discriminator
     std::vector<double> typeEvidence;  ///< by filter of the bank, log-likelihoods
@@ -57,19 +58,25 @@ struct Track
     std::vector<float> features;  ///< where options ask for them
 
     OrientedBox box() const { return state.box(); }
+    /// Where its hits should be if it is as large as the last ones were.
+    OrientedBox boxOfHits() const;
     Eigen::Vector2d velocity() const  ///< of the centre, world, m/s
     {
         return rotation(state.mean(kHeading)) *
                Eigen::Vector2d(state.mean(kSpeed), state.mean(kAxis) * state.yawRate());
     }
-    /// Of the centre along each axis, about, m. Beyond the greatest one what is there is no
+    /// Of the centre along each axis, about, m.
+    double positionSigma() const { return std::sqrt(0.5 * boxSigma().squaredNorm()); }
+    /// Of the centre along and across the box, m. Beyond the greatest ones what is there is no
     /// likelier this target than a new one.
-    double positionSigma() const
+    Eigen::Vector2d boxSigma() const
     {
         constexpr double kGreatest = 2.0;  // m
-        const auto position = state.covariance.topLeftCorner<2, 2>();
-        const double both = position.trace() + lastingError.topLeftCorner<2, 2>().trace();
-        return std::min(kGreatest, std::sqrt(0.5 * both));
+        const Eigen::Matrix2d axes = rotation(state.mean(kHeading));
+        const Eigen::Matrix2d position =
+            state.covariance.topLeftCorner<2, 2>() + lastingError.topLeftCorner<2, 2>();
+        const Eigen::Vector2d variances = (axes.transpose() * position * axes).diagonal();
+        return variances.cwiseMax(0.0).cwiseSqrt().cwiseMin(kGreatest);
     }
     double lengthSigma() const { return std::sqrt(state.covariance(kLength, kLength)); }
     double widthSigma() const { return std::sqrt(state.widthVariance); }

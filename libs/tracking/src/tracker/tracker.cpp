@@ -6,8 +6,8 @@
 #include <limits>
 #include <stdexcept>
 
-#include "association/plane_index.h"
 #include "tracker/discriminate.h"
+#include "tracker/duplicates.h"
 #include "tracker/existence.h"
 #include "tracker/neighbourhood.h"
 #include "tracker/new_sightings.h"
@@ -52,7 +52,7 @@ public:
         assignment = startTracks(segmented, std::move(assignment));
         enter(Stage::Discrimination);
         judgeTracks(segmented, assignment);
-        removeDuplicates();
+        tracks_ = withoutDuplicates(std::move(tracks_));
         FrameResult result = reportFrame(frame, segmented);
         removeEnded();
         if (observer_) observer_(nullptr);
@@ -110,8 +110,11 @@ private:
         all.reserve(tracks_.size());
         for (const Track& track : tracks_)
         {
-            all.push_back({track.box(), track.positionSigma(), track.lengthSigma(),
-                           track.widthSigma(), track.velocity()});
+            // What is no vehicle is not as large as one either.
+            const bool isVehicle = !discriminator_.rulesOut(track);
+            all.push_back({isVehicle ? track.box() : track.boxOfHits(), track.boxSigma(),
+                           isVehicle ? track.lengthSigma() : 0.0,
+                           isVehicle ? track.widthSigma() : 0.0, track.velocity()});
         }
         return all;
     }
@@ -196,37 +199,6 @@ private:
         workers_.forEach(
             tracks_.size(), [&](std::size_t j, std::size_t)
             { tracks_[j] = discriminator_.judged(std::move(tracks_[j]), frame, assignment[j]); });
-    }
-
-    // Two tracks on one object: the older one stays.
-    void removeDuplicates()
-    {
-        std::vector<PlaneBounds> bounds;
-        bounds.reserve(tracks_.size());
-        for (const Track& track : tracks_)
-            bounds.push_back(PlaneBounds::around(track.box().centre(),
-                                                 std::max(track.box().length, track.box().width)));
-        const PlaneIndex index(bounds);
-        for (std::size_t j = 1; j < tracks_.size(); ++j)
-        {
-            for (const std::size_t k : index.overlapping(bounds[j]))
-            {
-                if (k >= j || tracks_[j].status == TrackStatus::Ended) break;
-                if (tracks_[k].status == TrackStatus::Ended || !sameObject(tracks_[k], tracks_[j]))
-                    continue;
-                const bool keepOlder = tracks_[k].misses <= tracks_[j].misses;
-                (keepOlder ? tracks_[j] : tracks_[k]).status = TrackStatus::Ended;
-            }
-        }
-    }
-
-    static bool sameObject(const Track& a, const Track& b)
-    {
-        const Eigen::Vector2d inA = toBoxFrame(a.box(), b.state.mean.head<2>());
-        const Eigen::Vector2d inB = toBoxFrame(b.box(), a.state.mean.head<2>());
-        const auto inside = [](const Eigen::Vector2d& p, const OrientedBox& box)
-        { return std::abs(p.x()) < 0.4 * box.length && std::abs(p.y()) < 0.4 * box.width; };
-        return inside(inA, a.box()) || inside(inB, b.box());
     }
 
     FrameResult reportFrame(const LadarFrame& frame, const SegmentedFrame& segmented) const

@@ -37,10 +37,11 @@ struct AssociationOptions
 /// What the auction knows of a track.
 struct PredictedTarget
 {
-    OrientedBox box;             ///< in the frame of the hits
-    double positionSigma = 0.0;  ///< of the centre along each axis, about, m
-    double lengthSigma = 0.0;    ///< m
-    double widthSigma = 0.0;     ///< m
+    OrientedBox box;  ///< in the frame of the hits
+    Eigen::Vector2d positionSigma =
+        Eigen::Vector2d::Zero();  ///< of the centre along and across the box, m
+    double lengthSigma = 0.0;     ///< m
+    double widthSigma = 0.0;      ///< m
     /// With which the box moves on to the time of each cluster (Hits::time), m/s.
     Eigen::Vector2d velocity = Eigen::Vector2d::Zero();
 };

@@ -2,8 +2,9 @@
 // Which of the four faces of a box is the vehicle's front: four hypotheses with probabilities.
 //
 // A box fits as well with front and rear exchanged, and often with length and width exchanged. What
-// decides is gathered over frames: the way a vehicle moves and the sizes that ends and sides have.
-// One frame never does, so that headings do not flip.
+// decides is gathered over frames: the way a vehicle moves, the sizes that ends and sides have, and
+// how the vehicles around it stand. One frame never turns what others told, so that headings do not
+// flip.
 #pragma once
 
 #include <array>

@@ -37,10 +37,10 @@ struct VisibilityOptions
     double lastingHeading = 0.15 * kPi / 180.0;      ///< rad
     double lastingSize = 0.1;                        ///< m
     bool assumeVehicleSize = true;
-    double carLength = 4.3;       ///< m
-    double carLengthSigma = 0.5;  ///< m
-    double carWidth = 1.75;       ///< m
-    double carWidthSigma = 0.15;  ///< m
+    double carLength = 4.3;        ///< m
+    double carLengthSigma = 0.45;  ///< m
+    double carWidth = 1.75;        ///< m
+    double carWidthSigma = 0.15;   ///< m
 
     template <class Self, class Visitor>
     static void visit(Self& self, Visitor&& field)
@@ -101,7 +101,7 @@ struct FaceErrors
 {
     double sigma[2][2] = {};
 
-    static constexpr double kNotTold = 10.0;  ///< of a face that a measurement does not tell, m
+    static constexpr double kNotTold = 100.0;  ///< of a face that a measurement does not tell, m
     bool tells(int axis, int end) const { return sigma[axis][end] < kNotTold; }
 };
 

@@ -27,7 +27,7 @@ struct LifecycleOptions
     int confirmHits = 3;
     double hitProbability = 0.7;
     double endProbability = 0.1;
-    double maxCoast = 2.5;          ///< s
+    double maxCoast = 3.0;          ///< s
     double startSpeedSigma = 16.0;  ///< m/s
     double nisGate = 11.34;
 
