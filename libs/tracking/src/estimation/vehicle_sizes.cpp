@@ -8,10 +8,18 @@ namespace vdamf
 {
 namespace
 {
-// Share of vans to buses of what is as low as cars are, and of what is higher.
-constexpr double kLow = 2.2;  // m
+// Share of vans to buses of what is as low as cars are, of what is higher, and between: rows of a
+// LADAR lie half a metre apart where it is far, so that roofs seem lower.
+constexpr double kLow = 1.7;   // m
+constexpr double kHigh = 2.3;  // m
 constexpr double kLargeIfLow = 0.15;
 constexpr double kLargeIfHigh = 0.7;
+
+double shareOfLarge(double height)
+{
+    const double high = std::clamp((height - kLow) / (kHigh - kLow), 0.0, 1.0);
+    return kLargeIfLow + high * (kLargeIfHigh - kLargeIfLow);
+}
 
 // Of faces of anything else, per metre.
 constexpr double kOdd = 0.01;
@@ -56,7 +64,7 @@ double density(const FaceExtent& seen, const Sizes& sizes)
 
 double endOverSide(const FaceExtent& face, double height)
 {
-    const double large = height < kLow ? kLargeIfLow : kLargeIfHigh;
+    const double large = shareOfLarge(height);
     const double end =
         (1.0 - large) * density(face, kCarWidth) + large * density(face, kLargeWidth);
     const double side =

@@ -71,17 +71,21 @@ Course courseBetween(const PathPoint& from, const PathPoint& to)
     return {to.box.heading + std::atan2(move.y(), move.x()), move.norm(), to.time - from.time};
 }
 
-// The course of a track that goes on steadily, over the last second or, if it is slow, over as long
-// as it takes to tell: both halves of the path lead the same way.
+// The course of a track that goes on steadily, over the last second, less if it is fast and more if
+// it is slow, as long as it takes to tell: both halves of the path lead the same way.
 std::optional<Course> steadyCourse(const Track& track)
 {
     constexpr double kLeastTime = 1.0;  // s
+    constexpr double kFar = 5.0;        // m
     if (track.path.size() < 3) return std::nullopt;
     const PathPoint& last = track.path.back();
     std::size_t first = track.path.size();
     Course all;
-    while (first > 0 && (all.distance < kCourseDistance || all.duration < kLeastTime))
-        all = courseBetween(track.path[--first], last);
+    const auto tells = [&] {
+        return all.distance >= kFar ||
+               (all.distance >= kCourseDistance && all.duration >= kLeastTime);
+    };
+    while (first > 0 && !tells()) all = courseBetween(track.path[--first], last);
     if (all.distance < kCourseDistance || all.distance < kCourseSpeed * all.duration)
         return std::nullopt;
     const PathPoint& middle = track.path[(first + track.path.size()) / 2];
