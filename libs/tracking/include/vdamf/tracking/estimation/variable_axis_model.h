@@ -28,7 +28,7 @@ struct MotionOptions
     double sizeSigma = 0.02;                  ///< m/sqrt(s)
     double maxCurvature = 0.25;               ///< 1/m
     double maxLateralAcceleration = 6.0;      ///< m/s^2
-    bool independent = true;
+    bool independent = false;
     double independentAcceleration = 2.0;                    ///< m/s^2, held for 0.1 s
     double independentYawAcceleration = 35.0 * kPi / 180.0;  ///< rad/s^2, held for 0.1 s
 
