@@ -151,7 +151,7 @@ std::string viewsSvg(const std::vector<FigureView>& views, int columns)
 std::string obliqueSvg(const FigureView& view)
 {
     // Seen from the sensor's side: depth runs up and to the right.
-    constexpr double kLarge = 80.0;  // pixels a metre
+    constexpr double kLarge = 80.0;   // pixels a metre
     constexpr double kMargin = 24.0;  // pixels
     const double towards = std::atan2(view.sensor.y(), view.sensor.x());
     const auto project = [&](const Eigen::Vector2d& at, double z)
