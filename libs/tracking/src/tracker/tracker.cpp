@@ -110,8 +110,9 @@ private:
         all.reserve(tracks_.size());
         for (const Track& track : tracks_)
         {
-            // What is no vehicle is not as large as one either.
-            const bool isVehicle = !discriminator_.rulesOut(track);
+            // What is no vehicle is not as large as one either; of what was lost from sight the
+            // last hits may have been a part.
+            const bool isVehicle = track.misses > 0 || !discriminator_.rulesOut(track);
             all.push_back({isVehicle ? track.box() : track.boxOfHits(), track.boxSigma(),
                            isVehicle ? track.lengthSigma() : 0.0,
                            isVehicle ? track.widthSigma() : 0.0, track.velocity()});
