@@ -13,12 +13,16 @@ constexpr double kAlike = 0.97;  // of the labelled vehicles with another one in
 constexpr double kMost = 3.0;    // log odds: what makes them stand otherwise holds for all
 constexpr double kSame = 20.0 * kPi / 180.0;  // rad
 
+bool isPublished(const Track& track)
+{
+    return track.status == TrackStatus::Confirmed || track.status == TrackStatus::Coasting;
+}
+
 std::vector<PlaneBounds> boundsOf(const std::vector<Track>& tracks)
 {
     std::vector<PlaneBounds> bounds;
     for (const Track& track : tracks)
-        if (track.status == TrackStatus::Confirmed || track.status == TrackStatus::Coasting)
-            bounds.push_back(PlaneBounds::around(track.box().centre(), 0.0));
+        if (isPublished(track)) bounds.push_back(PlaneBounds::around(track.box().centre(), 0.0));
     return bounds;
 }
 }  // namespace
@@ -28,8 +32,7 @@ Neighbourhood::Neighbourhood(const std::vector<Track>& tracks, const Discriminat
 {
     for (const Track& track : tracks)
     {
-        if (track.status != TrackStatus::Confirmed && track.status != TrackStatus::Coasting)
-            continue;
+        if (!isPublished(track)) continue;
         const double right = track.front.ownAxesProbability();
         const double alike = right * kAlike + (1.0 - right) * (1.0 - kAlike);
         const double vehicle = discriminator.vehicleProbability(track);
