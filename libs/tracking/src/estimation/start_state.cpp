@@ -151,8 +151,10 @@ VehicleState grownToAVehicle(const VehicleState& predicted, const Measurement& m
     if (!told.length && !m.facesSeen.seesSide() && locatesWidth(m))
         return grownTo(predicted, 0, m.facesSeen.has(Face::Back) ? 0.5 : -0.5,
                        lengthBehind(std::min(m.box.width, predicted.width), height, o));
-    const bool isPart = m.box.width < kCarEnd;
-    if ((!told.width || predicted.width < kCarEnd) && locatesLength(m) && (!locatesWidth(m) || isPart))
+    // No vehicle is as long and narrow: of that end a part is seen.
+    const bool isNarrow = told.width && predicted.width < kCarEnd;
+    const bool showsWidth = locatesWidth(m) && m.box.width >= kCarEnd;
+    if ((!told.width || isNarrow) && locatesLength(m) && !showsWidth)
         return grownTo(predicted, 1, m.facesSeen.has(Face::Right) ? 0.5 : -0.5,
                        widthBehind(std::min(m.box.length, predicted.mean(kLength)), height, o));
     return predicted;
