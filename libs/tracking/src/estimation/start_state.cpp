@@ -148,7 +148,7 @@ VehicleState grownToAVehicle(const VehicleState& predicted, const Measurement& m
                              const SizesTold& told, const VisibilityOptions& o)
 {
     if (!o.assumeVehicleSize) return predicted;
-    if (!told.length && !m.facesSeen.seesSide() && locatesWidth(m))
+    if (!told.length && !m.facesSeen.seesSide() && m.facesSeen.seesEnd())
         return grownTo(predicted, 0, m.facesSeen.has(Face::Back) ? 0.5 : -0.5,
                        lengthBehind(std::min(m.box.width, predicted.width), height, o));
     // No vehicle is as long and narrow: of that end a part is seen.
