@@ -15,16 +15,18 @@ const DiscriminatorModel& Discriminator::model() const
     return options_.loaded ? *options_.loaded : defaultDiscriminatorModel();
 }
 
-// Frames in a row show nearly the same. Where a track is as good as certain either way, every few
-// of them are enough, and those that show more of it or less.
+// Frames in a row show nearly the same. After the first ones every other frame is enough, of a
+// track that is as good as certain either way every fourth, and those that show more of it or less.
 bool Discriminator::mayTellMore(const Track& track, std::size_t hits) const
 {
-    constexpr double kCertain = 3.0;  // log odds
-    constexpr std::uint64_t kTurns = 4;
-    constexpr double kAlike = 1.5;  // ratio of numbers of hits
+    constexpr int kFirst = 5;         // sightings
+    constexpr double kCertain = 2.2;  // log odds
+    constexpr double kAlike = 1.5;    // ratio of numbers of hits
     const Judgement& last = track.judgement;
-    if (std::abs(trackLogOdds(last.evidence, model().track)) < kCertain) return true;
-    if ((static_cast<std::uint64_t>(track.sightings) + track.id) % kTurns == 0) return true;
+    const bool isCertain = std::abs(trackLogOdds(last.evidence, model().track)) > kCertain;
+    if (!isCertain && track.sightings <= kFirst) return true;
+    const std::uint64_t turns = isCertain ? 4 : 2;
+    if ((static_cast<std::uint64_t>(track.sightings) + track.id) % turns == 0) return true;
     const double ratio = static_cast<double>(hits) / static_cast<double>(last.hits);
     return ratio > kAlike || ratio * kAlike < 1.0;
 }
