@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <utility>
 
+#include "regression/variation.h"
 #include "vdamf/evaluation/chi_square.h"
 
 namespace vdamf
@@ -123,11 +124,15 @@ std::vector<RegressionScenario> withSeeds(const std::vector<RegressionScenario>&
     for (const RegressionScenario& scenario : scenarios)
     {
         if (scenario.make.front() != "vdamf-simulate") continue;
+        const IniDocument document = IniDocument::load(scenario.make[1]);
         for (int seed = 1; seed <= count; ++seed)
         {
             RegressionScenario one = scenario;
             one.name += "/seed_" + std::to_string(seed);
             one.make.insert(one.make.end(), {"--set", "scenario.seed=" + std::to_string(seed)});
+            for (const std::string& assignment :
+                 variationOf(document, static_cast<std::uint64_t>(seed)))
+                one.make.insert(one.make.end(), {"--set", assignment});
             all.push_back(std::move(one));
         }
     }

@@ -10,8 +10,9 @@
 
 namespace vdamf
 {
-/// Each simulated scenario `count` times, named `<name>/seed_<k>`, with seeds from 1 on. Recordings
-/// have no seed and are left out.
+/// Each simulated scenario `count` times, named `<name>/seed_<k>`, with seeds from 1 on, each with
+/// vehicles and a start of its own (variation.h). Recordings have no seed and are left out. Throws
+/// std::runtime_error where a scenario cannot be read.
 std::vector<RegressionScenario> withSeeds(const std::vector<RegressionScenario>& scenarios,
                                           int count);
 

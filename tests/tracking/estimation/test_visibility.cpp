@@ -237,5 +237,53 @@ TEST(GrownToAVehicle, LengthFollowsTheWidthOfTheEndAndTheRearStays)
     EXPECT_EQ(grownToAVehicle(half, person, 1.5, SizesTold(), o).mean, half.mean);
 }
 
+// A car whose end was seen through a gap, so that it seemed as narrow as that.
+TEST(GrownToAVehicle, WidthFollowsTheLengthOfTheSideAndTheSideStays)
+{
+    const VisibilityOptions o;
+    VehicleState slice;
+    slice.mean << 20.0, 3.0, 0.0, 0.0, 0.0, 1.2, 4.2;
+    slice.covariance.diagonal().setConstant(0.01);
+    slice.width = 0.9;
+    const Measurement side = measured({20.0, 3.0, 0.0, 4.2, 0.9}, faces({Face::Right}));
+    for (const SizesTold& told : {SizesTold(), SizesTold{true, true}})
+    {
+        const VehicleState grown = grownToAVehicle(slice, side, 1.5, told, o);
+        EXPECT_NEAR(grown.width, o.carWidth, 1e-9);
+        EXPECT_NEAR(grown.mean(kY) - 0.5 * grown.width, 3.0 - 0.45, 1e-9);
+        EXPECT_EQ(grown.mean(kLength), 4.2);
+        EXPECT_NEAR(grown.widthVariance, o.carWidthSigma * o.carWidthSigma, 1e-9);
+    }
+    Measurement motorcycle = side;
+    motorcycle.box.length = 2.2;
+    EXPECT_EQ(grownToAVehicle(slice, motorcycle, 1.5, SizesTold(), o).width, 0.9);
+    slice.width = 1.6;
+    EXPECT_EQ(grownToAVehicle(slice, side, 1.5, {true, true}, o).width, 1.6) << "width is known";
+    slice.mean(kLength) = 9.0;
+    slice.width = 0.9;
+    const Measurement truck = measured({20.0, 3.0, 0.0, 9.0, 0.9}, faces({Face::Right}));
+    EXPECT_GT(grownToAVehicle(slice, truck, 3.0, SizesTold(), o).width, 2.0);
+}
+
+// Another car hides the left part of the end, but more of it is seen than was known.
+TEST(FaceErrors, OfAHiddenEndCountWhereHitsReachBeyondIt)
+{
+    const VisibilityOptions o;
+    VehicleState narrow = known({20.0, 0.0, 0.0, 4.0, 1.0}, 0.3);
+    narrow.widthVariance = 0.2;
+    Measurement m = measured({20.0, 0.35, 0.0, 4.0, 1.7}, faces({Face::Back, Face::Right}));
+    m.hiddenEnds.add(Face::Left);
+    EXPECT_FALSE(faceErrors(m, o).tells(1, 1));
+    EXPECT_TRUE(faceErrors(m, narrow, o).tells(1, 1));
+    VehicleKalmanFilter filter{MotionOptions()};
+    for (int k = 0; k < 10; ++k)
+        narrow = filter.update(
+            narrow, boxThrough(m, faceErrors(m, narrow, o), narrow.size(), {0.0, -9.0}, o));
+    EXPECT_NEAR(narrow.width, 1.6, 0.1);
+    m.box.width = 0.8;
+    m.box.y = -0.1;
+    EXPECT_FALSE(faceErrors(m, narrow, o).tells(1, 1)) << "what is hidden may be anywhere beyond";
+}
+
 }  // namespace
 }  // namespace vdamf

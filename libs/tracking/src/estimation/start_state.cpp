@@ -17,12 +17,15 @@ constexpr double kTruckHeight = 2.0;  // m
 constexpr double kWidestTruck = 2.8;  // m
 constexpr double kTruckLength = 9.0;
 constexpr double kTruckLengthSigma = 2.0;
+constexpr double kCarSide = 3.0;   // m, the shortest: longer than a motorcycle
+constexpr double kLongSide = 5.5;  // m, of vans, trucks and buses
 
 struct Assumed
 {
     double metres = 0.0;
     double sigma = 0.0;
 };
+constexpr Assumed kLargeWidth{2.1, 0.3};
 
 // Vans are higher, longer and wider than cars: by the height over that of a car, m per m, of the
 // labelled vehicles of KITTI and Argoverse 2 (255 below 2.5 m).
@@ -56,11 +59,18 @@ std::optional<Assumed> lengthBehind(double width, double height, const Visibilit
     return Assumed{kTruckLength, kTruckLengthSigma};
 }
 
+// Of the vehicle behind a side of that length and height (m).
+std::optional<Assumed> widthBehind(double length, double height, const VisibilityOptions& o)
+{
+    if (length < kCarSide) return std::nullopt;
+    return length < kLongSide ? carWidth(height, o) : kLargeWidth;
+}
+
 // Ends and sides that could be a car's, or the part of one that is not hidden; what is not seen
 // could be anything.
 bool couldBeACar(const Measurement& m)
 {
-    const bool lengthFits = !m.facesSeen.seesSide() || m.box.length < 5.5;
+    const bool lengthFits = !m.facesSeen.seesSide() || m.box.length < kLongSide;
     const bool widthFits = !m.facesSeen.seesEnd() || m.box.width < kWidestCar;
     const bool carEnd = m.facesSeen.seesEnd() && m.box.width > (locatesWidth(m) ? kCarEnd : 0.9);
     const bool carSide = m.facesSeen.seesSide() && m.box.length > (locatesLength(m) ? 2.1 : 1.2);
@@ -72,9 +82,6 @@ BoxMeasurement withSizes(const Measurement& m, double height, const Eigen::Vecto
 {
     Eigen::Vector2d known(m.box.length, m.box.width);
     Eigen::Vector2d sigma(o.unseenSigma, o.unseenSigma);
-    constexpr double kLongSide = 5.5;  // m, of vans, trucks and buses
-    constexpr double kLargeWidth = 2.1;
-    constexpr double kLargeWidthSigma = 0.3;
     if (o.assumeVehicleSize && couldBeACar(m))
     {
         const Assumed length = carLength(height, o);
@@ -85,8 +92,8 @@ BoxMeasurement withSizes(const Measurement& m, double height, const Eigen::Vecto
     else if (o.assumeVehicleSize && m.facesSeen.seesSide() && !m.facesSeen.seesEnd() &&
              m.box.length > kLongSide)
     {
-        known.y() = kLargeWidth;
-        sigma.y() = kLargeWidthSigma;
+        known.y() = kLargeWidth.metres;
+        sigma.y() = kLargeWidth.sigma;
     }
     else if (o.assumeVehicleSize && m.facesSeen.seesEnd() && !m.facesSeen.seesSide() &&
              m.box.width > kWidestCar)
@@ -106,6 +113,30 @@ BoxMeasurement withSizes(const Measurement& m, double height, const Eigen::Vecto
     box = withKnown(box, 3, known.x(), sigma.x() * sigma.x());
     return withKnown(box, 4, known.y(), sigma.y() * sigma.y());
 }
+
+// With the length (axis 0) or width (1) of a vehicle where it is clearly smaller; `side` is where
+// the centre moves to, by half of the growth.
+VehicleState grownTo(const VehicleState& state, int axis, double side,
+                     const std::optional<Assumed>& size)
+{
+    if (!size || size->metres - state.size()(axis) < size->sigma) return state;
+    StateVector byFace = StateVector::Zero();
+    byFace.head<2>() = side * rotation(state.mean(kHeading)).col(axis);
+    VehicleState next = state;
+    if (axis == 0)
+    {
+        if (state.steering != Steering::Independent) byFace(kAxis) = side;
+        byFace(kLength) = 1.0;
+    }
+    else
+    {
+        next.width = size->metres;
+        next.widthVariance = size->sigma * size->sigma;
+    }
+    next.mean += (size->metres - state.size()(axis)) * byFace;
+    next.covariance += size->sigma * size->sigma * byFace * byFace.transpose();
+    return next;
+}
 }  // namespace
 
 SizesTold SizesTold::with(const Measurement& m) const
@@ -116,19 +147,17 @@ SizesTold SizesTold::with(const Measurement& m) const
 VehicleState grownToAVehicle(const VehicleState& predicted, const Measurement& m, double height,
                              const SizesTold& told, const VisibilityOptions& o)
 {
-    if (!o.assumeVehicleSize || told.length || m.facesSeen.seesSide() || !locatesWidth(m))
-        return predicted;
-    const auto behind = lengthBehind(std::min(m.box.width, predicted.width), height, o);
-    if (!behind || behind->metres - predicted.mean(kLength) < behind->sigma) return predicted;
-    const double side = m.facesSeen.has(Face::Back) ? 0.5 : -0.5;
-    StateVector byFace = StateVector::Zero();
-    byFace.head<2>() = side * rotation(predicted.mean(kHeading)).col(0);
-    if (predicted.steering != Steering::Independent) byFace(kAxis) = side;
-    byFace(kLength) = 1.0;
-    VehicleState next = predicted;
-    next.mean += (behind->metres - predicted.mean(kLength)) * byFace;
-    next.covariance += behind->sigma * behind->sigma * byFace * byFace.transpose();
-    return next;
+    if (!o.assumeVehicleSize) return predicted;
+    if (!told.length && !m.facesSeen.seesSide() && m.facesSeen.seesEnd())
+        return grownTo(predicted, 0, m.facesSeen.has(Face::Back) ? 0.5 : -0.5,
+                       lengthBehind(std::min(m.box.width, predicted.width), height, o));
+    // No vehicle is as long and narrow: of that end a part is seen.
+    const bool isNarrow = told.width && predicted.width < kCarEnd;
+    const bool showsWidth = locatesWidth(m) && m.box.width >= kCarEnd;
+    if ((!told.width || isNarrow) && locatesLength(m) && !showsWidth)
+        return grownTo(predicted, 1, m.facesSeen.has(Face::Right) ? 0.5 : -0.5,
+                       widthBehind(std::min(m.box.length, predicted.mean(kLength)), height, o));
+    return predicted;
 }
 
 VehicleState startState(const Measurement& measurement, double height,

@@ -13,6 +13,28 @@
 
 #include <Eigen/Cholesky>
 #include <array>
+#include <type_traits>
+#include <utility>
+
+namespace mrpt::math
+{
+// H P H^T + R as the template writes it, of which it then asks for one element after the other: all
+// of them were worked out each time, two fifths of an update.
+using EigenSquare = decltype(std::declval<CMatrixFixed<double, 4, 4>&>().asEigen());
+using EigenMatrix = decltype(std::declval<CMatrixDynamic<double>&>().asEigen());
+using InnovationSum =
+    std::remove_const_t<decltype(std::declval<EigenSquare>() * std::declval<EigenMatrix>() *
+                                     std::declval<EigenSquare>().transpose() +
+                                 std::declval<EigenSquare>())>;
+
+template <>
+template <>
+inline void CMatrixDynamic<double>::setFromMatrixLike(const Eigen::MatrixBase<InnovationSum>& sum)
+{
+    setSize(sum.rows(), sum.cols());
+    asEigen() = sum;
+}
+}  // namespace mrpt::math
 
 namespace vdamf
 {

@@ -53,6 +53,18 @@ SizeChange sizeChange(const Measurement& m, const VehicleState& predicted, int a
     return {change, change / std::sqrt(variance)};
 }
 
+// Whether hits lie beyond an end whose place is hidden: it is there at the least.
+bool reachesBeyond(const Measurement& m, const VehicleState& predicted, int axis, int end,
+                   const VisibilityOptions& o)
+{
+    const bool runsAlong = axis == 0 ? m.facesSeen.seesSide() : m.facesSeen.seesEnd();
+    const Face face = kFaces[axis][end];
+    const double measured = axis == 0 ? m.box.length : m.box.width;
+    return runsAlong && m.hiddenEnds.has(face) && !m.facesSeen.has(face) &&
+           measured - predicted.size()(axis) > o.sizeSigma &&
+           outside(m.box, predicted.box(), axis, end) > o.sizeSigma;
+}
+
 constexpr double kClear = 2.0;  // sigmas from which on a change of size is not noise
 }  // namespace
 
@@ -95,6 +107,9 @@ FaceErrors faceErrors(const Measurement& m, const VehicleState& predicted,
     FaceErrors errors = faceErrors(m, o);
     for (int axis = 0; axis < 2; ++axis)
     {
+        for (int end = 0; end < 2; ++end)
+            if (errors.tells(axis, 1 - end) && reachesBeyond(m, predicted, axis, end, o))
+                errors.sigma[axis][end] = o.shortfallSigma;
         if (!errors.tells(axis, 0) || !errors.tells(axis, 1)) continue;
         const SizeChange change = sizeChange(m, predicted, axis, o);
         if (change.metres > 0.0) continue;

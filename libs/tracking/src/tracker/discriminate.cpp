@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tracker/discriminate.h"
 
-#include <utility>
+#include <cmath>
+#include <cstdint>
 
 #include "vdamf/tracking/discrimination/features.h"
 
@@ -14,10 +15,27 @@ const DiscriminatorModel& Discriminator::model() const
     return options_.loaded ? *options_.loaded : defaultDiscriminatorModel();
 }
 
-Track Discriminator::judged(Track track, const SegmentedFrame& frame,
-                            const std::vector<std::size_t>& clusters) const
+// Frames in a row show nearly the same. After the first ones every other frame is enough, of a
+// track that is as good as certain either way every fourth, and those that show more of it or less.
+bool Discriminator::mayTellMore(const Track& track, std::size_t hits) const
 {
-    if (options_.isOff() || !track.measurement) return track;
+    constexpr int kFirst = 5;         // sightings
+    constexpr double kCertain = 2.2;  // log odds
+    constexpr double kAlike = 1.5;    // ratio of numbers of hits
+    const Judgement& last = track.judgement;
+    const bool isCertain = std::abs(trackLogOdds(last.evidence, model().track)) > kCertain;
+    if (!isCertain && track.sightings <= kFirst) return true;
+    const std::uint64_t turns = isCertain ? 4 : 2;
+    if ((static_cast<std::uint64_t>(track.sightings) + track.id) % turns == 0) return true;
+    const double ratio = static_cast<double>(hits) / static_cast<double>(last.hits);
+    return ratio > kAlike || ratio * kAlike < 1.0;
+}
+
+Judgement Discriminator::judged(const Track& track, const SegmentedFrame& frame,
+                                const std::vector<std::size_t>& clusters) const
+{
+    Judgement next = track.judgement;
+    if (options_.isOff() || !track.measurement) return next;
     ObjectView view;
     view.box = track.measurement->box;
     view.sensor = frame.sensor;
@@ -30,17 +48,21 @@ Track Discriminator::judged(Track track, const SegmentedFrame& frame,
         view.clusters.push_back(&frame.clusters[k]);
         hits += frame.clusters[k].size();
     }
-    const double score = objectScore(view, model());
-    track.evidence = withFrame(track.evidence, frameLogOdds(model().frame, score, hits),
-                               model().track, model().frame.prior);
-    if (options_.keepFeatures) track.features = objectFeatures(view, model().grid);
-    return track;
+    if (mayTellMore(track, hits))
+    {
+        next.logOdds = frameLogOdds(model().frame, objectScore(view, model()), hits);
+        next.hits = hits;
+    }
+    // What was not looked at is taken to say the same again.
+    next.evidence = withFrame(next.evidence, next.logOdds, model().track, model().frame.prior);
+    if (options_.keepFeatures) next.features = objectFeatures(view, model().grid);
+    return next;
 }
 
 double Discriminator::vehicleProbability(const Track& track) const
 {
     if (options_.isOff()) return 0.5;
-    return toProbability(trackLogOdds(track.evidence, model().track));
+    return toProbability(trackLogOdds(track.judgement.evidence, model().track));
 }
 
 bool Discriminator::rulesOut(const Track& track) const

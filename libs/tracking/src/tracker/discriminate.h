@@ -15,9 +15,9 @@ class Discriminator
 public:
     explicit Discriminator(const DiscriminatorOptions& options);
 
-    /// The track with what the clusters of its measurement say.
-    Track judged(Track track, const SegmentedFrame& frame,
-                 const std::vector<std::size_t>& clusters) const;
+    /// With what the clusters of the track's measurement say.
+    Judgement judged(const Track& track, const SegmentedFrame& frame,
+                     const std::vector<std::size_t>& clusters) const;
 
     /// Whether the track is hardly a vehicle, by several frames.
     bool rulesOut(const Track& track) const;
@@ -29,6 +29,7 @@ public:
     TrackReport withProbability(TrackReport report, const Track& track) const;
 
 private:
+    bool mayTellMore(const Track& track, std::size_t hits) const;
     const DiscriminatorModel& model() const;
 
     DiscriminatorOptions options_;

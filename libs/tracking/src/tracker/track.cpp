@@ -151,7 +151,7 @@ Track predictedTrack(Track track, double dt, const Eigen::Vector2d& sensor,
     track.state = track.hypotheses.combined(options);
     track.measurement.reset();
     track.nis.reset();
-    track.features.clear();
+    track.judgement.features.clear();
     return track;
 }
 
@@ -197,7 +197,7 @@ TrackReport reportOf(const Track& track, const VisibilityOptions& options,
         report.facesSeen = track.measurement->facesSeen;
         report.measuredBox = inWorld(track.measurement->box);
         report.nis = track.nis;
-        report.features = track.features;
+        report.features = track.judgement.features;
     }
     return report;
 }

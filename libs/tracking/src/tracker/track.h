@@ -27,6 +27,15 @@ struct PathPoint
     FaceSet located;  ///< those whose place the measurement told
 };
 
+/// What the discriminator holds of a track.
+struct Judgement
+{
+    VehicleEvidence evidence;
+    double logOdds = 0.0;         ///< by the last frame that it looked at
+    std::size_t hits = 0;         ///< in that frame
+    std::vector<float> features;  ///< of the current frame, where options ask for them
+};
+
 /// All positions are relative to the origin of the frame of its last prediction.
 struct Track
 {
@@ -47,15 +56,14 @@ struct Track
     double lastMatch = 0.0;  ///< response per hit of the last sighting, 1/m
     HeadingBelief front;
     SizesTold told;
-    OrientedBox around;                ///< the hits of the last sighting, in the frame of the box
-    std::vector<PathPoint> path;       ///< sightings of the last seconds
-    VehicleEvidence evidence;          ///< of the discriminator
+    OrientedBox around;           ///< the hits of the last sighting, in the frame of the box
+    std::vector<PathPoint> path;  ///< sightings of the last seconds
+    Judgement judgement;
     std::vector<double> typeEvidence;  ///< by filter of the bank, log-likelihoods
     std::optional<TypeProbability> type;
     // Of the current frame:
     std::optional<Measurement> measurement;
     std::optional<double> nis;
-    std::vector<float> features;  ///< where options ask for them
 
     OrientedBox box() const { return state.box(); }
     /// Where its hits should be if it is as large as the last ones were.

@@ -199,7 +199,7 @@ private:
     {
         workers_.forEach(
             tracks_.size(), [&](std::size_t j, std::size_t)
-            { tracks_[j] = discriminator_.judged(std::move(tracks_[j]), frame, assignment[j]); });
+            { tracks_[j].judgement = discriminator_.judged(tracks_[j], frame, assignment[j]); });
     }
 
     // Two tracks on one object: the older one stays.

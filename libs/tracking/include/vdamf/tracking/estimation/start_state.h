@@ -30,9 +30,9 @@ struct SizesTold
 };
 
 /// The predicted state, with a length that was never told taken from a car or a truck once its end
-/// is as wide as theirs: what was first seen in part, as behind a pole, shows only later that it is
-/// a vehicle. The end that is seen stays; centre and axle move with the other one.
-/// `height`: of what is seen, m.
+/// is as wide as theirs, and a width once its side is as long: what was first seen in part, as
+/// behind a pole, shows only later that it is a vehicle. The face that is seen stays; centre and
+/// axle move with the other one. `height`: of what is seen, m.
 VehicleState grownToAVehicle(const VehicleState& predicted, const Measurement& measurement,
                              double height, const SizesTold& told,
                              const VisibilityOptions& options);
