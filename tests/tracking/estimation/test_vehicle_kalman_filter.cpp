@@ -152,6 +152,44 @@ TEST(VehicleKalmanFilter, LengthMovesTheCentreAndNotTheSpeed)
     EXPECT_NEAR(after.mean(kSpeed), 10.0, 0.05);
 }
 
+// A rear was seen, and nothing of the length or the width: its place along the course is known to
+// centimetres, though the fit's heading is off by 4 degrees.
+TEST(VehicleKalmanFilter, WhatIsUnknownAcrossAFaceDoesNotBlurItsPlace)
+{
+    VehicleState s = startState();
+    s.mean << 20.0, 0.0, 0.0, 0.0, 0.0, 1.2, 4.5;
+    s.covariance.setZero();
+    s.covariance.diagonal() << 0.01, 0.01, 0.003, 0.0, 0.0, 0.0, 0.01;
+    const double heading = 0.07;
+    const Eigen::Matrix2d axes = rotation(heading);
+    BoxMeasurement m;
+    m.fixedPoint = {-1.0, 0.0};
+    m.box << 23.0, 0.0, heading, 4.5, 1.8;  // 3 m ahead of the state
+    m.covariance(2, 2) = 1e-3;
+    // Error of the rear, of the front, and of either side, m.
+    const double sigma[4] = {0.04, 50.0, 50.0, 50.0};
+    for (int face = 0; face < 4; ++face)
+    {
+        Vector5d byFace = Vector5d::Zero();
+        byFace.head<2>() = 0.5 * axes.col(face / 2);
+        byFace(3 + face / 2) = face % 2 == 0 ? -1.0 : 1.0;
+        m.covariance += sigma[face] * sigma[face] * byFace * byFace.transpose();
+    }
+    const double nis = innovationOf(s, m).nis();
+    EXPECT_GT(nis, 9.0 / 0.02);
+    // The same seen from any side.
+    m.box.head<2>() = rotation(1.0) * m.box.head<2>();
+    m.box(2) += 1.0;
+    Matrix5d turn = Matrix5d::Identity();
+    turn.topLeftCorner<2, 2>() = rotation(1.0);
+    m.covariance = turn * m.covariance * turn.transpose();
+    s.mean.head<2>() = rotation(1.0) * s.mean.head<2>();
+    s.mean(kHeading) += 1.0;
+    s.covariance.topLeftCorner<2, 2>() =
+        rotation(1.0) * s.covariance.topLeftCorner<2, 2>() * rotation(-1.0);
+    EXPECT_NEAR(innovationOf(s, m).nis(), nis, 1e-6 * nis);
+}
+
 TEST(VehicleKalmanFilter, WidthSaysWhereTheCentreIsBehindOneSide)
 {
     VehicleKalmanFilter filter{MotionOptions()};

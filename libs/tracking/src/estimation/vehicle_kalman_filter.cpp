@@ -270,6 +270,28 @@ VehicleState VehicleKalmanFilter::update(const VehicleState& state,
     return next;
 }
 
+namespace
+{
+struct FixedPoint
+{
+    Eigen::Vector3d value;              // its place and the heading
+    Eigen::Matrix<double, 3, 5> byBox;  // d value / d (x, y, heading, length, width)
+};
+
+// Of a box (x, y, heading, length, width).
+FixedPoint fixedPointOf(const Vector5d& box, const Eigen::Vector2d& at)
+{
+    const Eigen::Matrix2d r = rotation(box(2));
+    const Eigen::Vector2d offset = 0.5 * at.cwiseProduct(box.tail<2>());
+    FixedPoint point{box.head<3>(), Eigen::Matrix<double, 3, 5>::Zero()};
+    point.value.head<2>() += r * offset;
+    point.byBox.leftCols<3>().setIdentity();
+    point.byBox.block<2, 1>(0, 2) = r * Eigen::Vector2d(-offset.y(), offset.x());
+    point.byBox.block<2, 2>(0, 3) = r * (0.5 * at).asDiagonal();
+    return point;
+}
+}  // namespace
+
 BoxMeasurement withKnown(const BoxMeasurement& measurement, Eigen::Index row, double value,
                          double variance)
 {
@@ -294,18 +316,16 @@ Innovation innovationOf(const VehicleState& state, const BoxMeasurement& measure
     p.block<1, 3>(3, 0) = state.covariance.block<1, 3>(kLength, 0);
     p(3, 3) = state.covariance(kLength, kLength);
     p(4, 4) = state.widthVariance;
-    Vector5d difference;
-    difference << measurement.box.head<3>() - state.mean.head<3>(),
-        measurement.box.tail<2>() - state.size();
+    Vector5d box;
+    box << state.mean.head<3>(), state.size();
+    const FixedPoint foretold = fixedPointOf(box, measurement.fixedPoint);
+    // Each by its own axes: what the measurement does not tell across its faces must not seem to be
+    // unknown along them.
+    const FixedPoint measured = fixedPointOf(measurement.box, measurement.fixedPoint);
+    Eigen::Vector3d difference = measured.value - foretold.value;
     difference(2) = wrapAngle(difference(2));
-    // d (x, y of the fixed point, heading) / d (x, y, heading, length, width)
-    const Eigen::Matrix2d r = rotation(state.mean(kHeading));
-    const Eigen::Vector2d offset = 0.5 * measurement.fixedPoint.cwiseProduct(state.size());
-    Eigen::Matrix<double, 3, 5> j = Eigen::Matrix<double, 3, 5>::Zero();
-    j.leftCols<3>().setIdentity();
-    j.block<2, 1>(0, 2) = r * Eigen::Vector2d(-offset.y(), offset.x());
-    j.block<2, 2>(0, 3) = r * (0.5 * measurement.fixedPoint).asDiagonal();
-    return {j * difference, j * (p + measurement.covariance) * j.transpose()};
+    return {difference, foretold.byBox * p * foretold.byBox.transpose() +
+                            measured.byBox * measurement.covariance * measured.byBox.transpose()};
 }
 
 }  // namespace vdamf

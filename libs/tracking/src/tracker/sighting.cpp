@@ -8,6 +8,7 @@
 #include <iterator>
 #include <utility>
 
+#include "tracker/partial_faces.h"
 #include "types/lanes.h"
 #include "types/wide_lanes.h"
 #include "vdamf/tracking/estimation/occlusion.h"
@@ -199,6 +200,8 @@ Sighting sightingOf(const SegmentedFrame& frame, const std::vector<std::size_t>&
         s.height = std::max(s.height, heightOf(cluster));
     }
     s.groundZ = count > 0.0 ? ground / count : 0.0;
+    m = withTurnOfPieces(s);
+    m = withRecessOfEnd(m, frame, clusters, s.height);
     return s;
 }
 
