@@ -82,7 +82,8 @@ public:
     explicit Engine(const MotionOptions& options)
         : options_(options),
           variableAxis_(options),
-          steady_(steadyOptions(options)),
+          turning_(optionsOf(Steering::Turning, options)),
+          steady_(optionsOf(Steering::Steady, options)),
           independent_(options)
     {
         KF_options.method = mrpt::bayes::kfEKFNaive;
@@ -226,11 +227,13 @@ private:
     const MotionModel& modelFor(Steering steering) const
     {
         if (steering == Steering::Independent) return independent_;
+        if (steering == Steering::Turning) return turning_;
         return steering == Steering::Steady ? steady_ : variableAxis_;
     }
 
     MotionOptions options_;
     VariableAxisModel variableAxis_;
+    VariableAxisModel turning_;
     VariableAxisModel steady_;
     IndependentModel independent_;
     BoxMeasurement measurement_;
