@@ -13,7 +13,7 @@ namespace
 {
 constexpr double kRestTime = 1.6;  // s, in which vehicles that stand may start, or stop
 // Mean times, s, for which vehicles brake and turn, turn at their speed, and go on steadily.
-constexpr std::array<double, MotionHypotheses::kWays> kTimes{2.0, 2.0, 6.0};
+constexpr std::array<double, MotionHypotheses::kWays> kTimes{2.0, 2.0, 4.0};
 // At the start, as much for what foretells sharply as for what does not.
 constexpr std::array<double, MotionHypotheses::kWays> kAtStart{0.5, 0.25, 0.25};
 constexpr std::array<Steering, MotionHypotheses::kWays> kSteerings{
