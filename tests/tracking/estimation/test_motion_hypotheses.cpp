@@ -102,6 +102,40 @@ TEST(MotionHypotheses, WhatGoesOnSteadilyIsKnownBetterThanWhatBrakes)
     EXPECT_NEAR(follower.hypotheses.combined(MotionOptions()).mean(kSpeed), speed, 2.0 * sigma());
 }
 
+// A lane change at 15 m/s, measured well.
+TEST(MotionHypotheses, WhatTurnsKeepsItsSpeedKnown)
+{
+    const MotionOptions options;
+    VehicleKalmanFilter filter{options};
+    std::mt19937_64 generator{7};
+    std::normal_distribution<double> gauss;
+    MotionHypotheses h = hypothesesFrom(unknownSpeed(), options);
+    const double swerve = 0.25;  // rad/s
+    double x = 0.0;
+    double y = 0.0;
+    double heading = 0.0;
+    for (int k = 0; k < 60; ++k)
+    {
+        heading += k >= 50 ? 0.1 * swerve : 0.0;
+        x += 1.5 * std::cos(heading);
+        y += 1.5 * std::sin(heading);
+        BoxMeasurement m;
+        m.box << x + 0.03 * gauss(generator), y + 0.02 * gauss(generator),
+            heading + 0.01 * gauss(generator), 4.5, 1.8;
+        m.covariance.diagonal() << 9e-4, 4e-4, 1e-4, 0.01, 0.01;
+        h = updated(predicted(h, 0.1, filter, options), m, JitterShares(), filter, 11.34);
+        if (k == 49)
+        {
+            EXPECT_GT(h.drivingProbability[2], 0.5) << "steady";
+        }
+    }
+    EXPECT_GT(h.drivingProbability[1], h.drivingProbability[2]) << "turning";
+    const VehicleState state = h.combined(options);
+    EXPECT_NEAR(state.yawRate(), swerve, 0.06);
+    EXPECT_NEAR(state.mean(kSpeed), 15.0, 0.15);
+    EXPECT_LT(std::sqrt(state.covariance(kSpeed, kSpeed)), 0.3);
+}
+
 TEST(MotionHypotheses, WhatIsHiddenDrivesOn)
 {
     Follower follower;

@@ -1,19 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vdamf/tracking/estimation/motion_hypotheses.h"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <vector>
+
+#include "estimation/surprise.h"
 
 namespace vdamf
 {
 namespace
 {
 constexpr double kRestTime = 1.6;  // s, in which vehicles that stand may start, or stop
-// Mean times, s, for which vehicles brake and turn, turn at their speed, and go on steadily.
-constexpr std::array<double, MotionHypotheses::kWays> kTimes{2.0, 2.0, 4.0};
+// Vehicles hold their speed for 6 s and change it for 2 s in the mean, and their steering as well,
+// apart from each other. So from one way to another, 1/s; those that do both may end up either way.
+constexpr double kBegins = 1.0 / 6.0;
+constexpr double kEnds = 1.0 / 2.0;
+constexpr double kRates[MotionHypotheses::kWays][MotionHypotheses::kWays] = {
+    {0.0, 0.5 * kEnds, 0.5 * kEnds}, {kBegins, 0.0, kEnds}, {kBegins, kBegins, 0.0}};
 // At the start, as much for what foretells sharply as for what does not.
 constexpr std::array<double, MotionHypotheses::kWays> kAtStart{0.5, 0.25, 0.25};
 constexpr std::array<Steering, MotionHypotheses::kWays> kSteerings{
@@ -22,7 +27,6 @@ constexpr double kLeast = 0.02;         // of a probability: nothing is ruled ou
 constexpr double kRefuted = 0.05;       // of the standing hypothesis
 constexpr double kFree = 0.03;          // of what moves, does not follow wheels
 constexpr double kStartYawRate = 0.3;   // rad/s
-constexpr double kMostEvidence = 6.0;   // log odds, of one measurement
 constexpr double kSurpriseSigma = 1.5;  // m/s, of the speed of a vehicle that left its gate
 
 VehicleState atRest(const VehicleState& state)
@@ -100,36 +104,6 @@ VehicleState mixture(const std::array<VehicleState, MotionHypotheses::kWays>& st
     return all;
 }
 
-// How a hypothesis foretold a measurement.
-struct Surprise
-{
-    double nis = 0.0;
-    double logVolume = 0.0;  // of the innovation's covariance
-};
-
-Surprise surpriseOf(const VehicleState& state, const BoxMeasurement& measurement)
-{
-    const Innovation innovation = innovationOf(state, measurement);
-    return {innovation.nis(), std::log(innovation.covariance.determinant())};
-}
-
-// Likelihoods of a measurement by hypotheses, relative to the best one. What surprises all of them
-// says little: it counts for as much less as it lies outside the gate of the nearest one.
-std::vector<double> likelihoods(const std::vector<Surprise>& foretold, double gate)
-{
-    double nearest = gate;
-    for (std::size_t i = 0; i < foretold.size(); ++i)
-        nearest = i == 0 ? foretold[i].nis : std::min(nearest, foretold[i].nis);
-    const double weight = std::min(1.0, gate / std::max(1e-9, nearest));
-    std::vector<double> logs;
-    logs.reserve(foretold.size());
-    for (const Surprise& each : foretold)
-        logs.push_back(-0.5 * (weight * each.nis + each.logVolume));
-    const double best = *std::max_element(logs.begin(), logs.end());
-    for (double& each : logs) each = std::exp(std::max(each - best, -kMostEvidence));
-    return logs;
-}
-
 // A measured box, whole and with its jitter alone.
 struct Measured
 {
@@ -203,8 +177,10 @@ MotionHypotheses interacting(const MotionHypotheses& h, double dt)
         Ways from{};
         for (std::size_t k = 0; k < h.kWays; ++k)
         {
-            const double stays = std::exp(-dt / kTimes[k]);
-            from[k] = h.drivingProbability[k] * (k == to ? stays : (1.0 - stays) / (h.kWays - 1));
+            const double leaves = std::accumulate(kRates[k], kRates[k] + h.kWays, 0.0);
+            const double stays = std::exp(-dt * leaves);
+            from[k] = h.drivingProbability[k] *
+                      (k == to ? stays : (1.0 - stays) * kRates[k][to] / leaves);
         }
         next.drivingProbability[to] = std::accumulate(from.begin(), from.end(), 0.0);
         next.driving[to] = mixture(h.driving, from, to);
