@@ -93,7 +93,9 @@ BoxMeasurement withSizes(const Measurement& m, double height, const Eigen::Vecto
                          const VisibilityOptions& o)
 {
     Eigen::Vector2d known(m.box.length, m.box.width);
-    Eigen::Vector2d sigma(o.unseenSigma, o.unseenSigma);
+    // What is seen is a part of something that is longer than wide.
+    constexpr double kLongerThanWide = 3.0;
+    Eigen::Vector2d sigma(kLongerThanWide * o.unseenSigma, o.unseenSigma);
     if (o.assumeVehicleSize && couldBeACar(m, height))
     {
         const Assumed length = carLength(height, o);
