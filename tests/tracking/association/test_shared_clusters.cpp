@@ -63,6 +63,14 @@ TEST(SharedClusters, ThatOfTwoCarsSideBySide)
     EXPECT_EQ(found[0].targets, (std::vector<std::size_t>{0, 2}));
 }
 
+TEST(SharedClusters, ThatOfTwoOfThreeParkedCars)
+{
+    const Cluster both = together(outline(rearAndSide(14.8, 0.0)), outline(rearAndSide(19.6, 0.0)));
+    const auto found = shared({car(10.0, 0.0), car(14.8, 0.0), car(19.6, 0.0)}, both);
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found[0].targets, (std::vector<std::size_t>{1, 2})) << "the first one has no hits";
+}
+
 TEST(SharedClusters, NotThatOfOneCarBesideAnother)
 {
     const Cluster one = outline(rearAndSide(10.0, 0.0));

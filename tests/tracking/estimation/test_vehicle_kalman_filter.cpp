@@ -6,6 +6,7 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
+#include <cmath>
 #include <random>
 
 namespace vdamf
@@ -47,7 +48,11 @@ TEST(VehicleKalmanFilter, EqualsTextbookFilter)
         const StateMatrix f = transitionJacobian(reference.mean, 0.1, options);
         const StateMatrix q = processNoise(reference.mean, 0.1, options);
         reference.mean = withinBounds(predictState(reference.mean, 0.1, options), options);
+        const double speedAndTurn =
+            reference.covariance(kSpeed, kSpeed) * reference.covariance(kCurvature, kCurvature) +
+            std::pow(reference.covariance(kSpeed, kCurvature), 2);
         reference.covariance = f * reference.covariance * f.transpose() + q;
+        reference.covariance(kHeading, kHeading) += 0.1 * 0.1 * speedAndTurn;
         ASSERT_LT((s.mean - reference.mean).norm(), 1e-10) << k;
         ASSERT_LT((s.covariance - reference.covariance).norm(), 1e-10) << k;
 
@@ -78,6 +83,39 @@ TEST(VehicleKalmanFilter, EqualsTextbookFilter)
         ASSERT_LT((s.covariance - reference.covariance).norm(), 1e-9) << k;
         ASSERT_EQ((s.covariance - s.covariance.transpose()).norm(), 0.0);
     }
+}
+
+// Where neither speed nor curvature is known, their product is not either: it is no part of a
+// linear model.
+TEST(VehicleKalmanFilter, HeadingOfWhatMayTurnEqualsMonteCarlo)
+{
+    const MotionOptions options;
+    VehicleKalmanFilter filter(options);
+    VehicleState s;
+    s.mean << 0.0, 0.0, 0.0, 0.0, 0.0, 1.2, 4.2;
+    s.covariance.diagonal() << 1e-4, 1e-4, 1e-6, 16.0, 0.0025, 1e-4, 1e-4;
+    const double dt = 0.1;
+    const double noise = processNoise(s.mean, dt, options)(kHeading, kHeading);
+    std::mt19937 random(5);
+    std::normal_distribution<double> speed(0.0, 4.0);
+    std::normal_distribution<double> curvature(0.0, 0.05);
+    std::normal_distribution<double> heading(0.0, 1e-3);
+    constexpr int kSamples = 40000;
+    double sum = 0.0;
+    for (int k = 0; k < kSamples; ++k)
+    {
+        StateVector sample = s.mean;
+        sample(kHeading) = heading(random);
+        sample(kSpeed) = speed(random);
+        sample(kCurvature) = curvature(random);
+        sum += std::pow(predictState(sample, dt, options)(kHeading), 2);
+    }
+    const double variance = filter.predict(s, dt).covariance(kHeading, kHeading);
+    EXPECT_NEAR(variance - noise, sum / kSamples, 0.05 * sum / kSamples);
+
+    s.covariance(kSpeed, kSpeed) = 1e4;
+    EXPECT_LT(filter.predict(s, dt).covariance(kHeading, kHeading), 0.04 * 0.04)
+        << "no vehicle turns as fast as that";
 }
 
 TEST(VehicleKalmanFilter, HeadingInnovationWraps)

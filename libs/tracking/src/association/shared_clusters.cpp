@@ -80,7 +80,7 @@ std::vector<std::size_t> targetsOn(const Hits& hits, const std::vector<std::size
         fits.push_back(fitOf(hits, j, surface, off));
     }
     if (fits.size() < 2) return {};
-    const auto best = std::max_element(fits.begin(), fits.end(),
+    const auto best = std::min_element(fits.begin(), fits.end(),
                                        [](const Fit& a, const Fit& b) { return a.off < b.off; });
     std::vector<std::size_t> sharing;
     for (const Fit& fit : fits)

@@ -10,7 +10,14 @@ namespace vdamf
 namespace
 {
 constexpr double kCarEnd = 1.3;     // m, the narrowest
-constexpr double kWidestCar = 2.3;  // m
+// Hits tell widths to a decimetre or two: what is higher than any car may be narrower.
+constexpr double kTallest = 2.5;  // m
+
+double widestCar(double height)
+{
+    return height > kTallest ? 2.1 : 2.3;  // m
+}
+
 // The end of a truck or bus alone tells little of its length. What is as wide and low is none: the
 // part of a side, or no vehicle.
 constexpr double kTruckHeight = 2.0;  // m
@@ -26,6 +33,11 @@ struct Assumed
     double sigma = 0.0;
 };
 constexpr Assumed kLargeWidth{2.1, 0.3};
+
+// Of a new vehicle's path, 1/m: as tight as at a slow turn, and no tighter than this acceleration
+// across (m/s^2) lets it be.
+constexpr double kCurvatureSigma = 0.05;
+constexpr double kAcrossSigma = 2.0;
 
 // Vans are higher, longer and wider than cars: by the height over that of a car, m per m, of the
 // labelled vehicles of KITTI and Argoverse 2 (255 below 2.5 m).
@@ -54,7 +66,7 @@ Assumed carWidth(double height, const VisibilityOptions& o)
 std::optional<Assumed> lengthBehind(double width, double height, const VisibilityOptions& o)
 {
     if (width < kCarEnd || width > kWidestTruck) return std::nullopt;
-    if (width < kWidestCar) return carLength(height, o);
+    if (width < widestCar(height)) return carLength(height, o);
     if (height < kTruckHeight) return std::nullopt;
     return Assumed{kTruckLength, kTruckLengthSigma};
 }
@@ -68,10 +80,10 @@ std::optional<Assumed> widthBehind(double length, double height, const Visibilit
 
 // Ends and sides that could be a car's, or the part of one that is not hidden; what is not seen
 // could be anything.
-bool couldBeACar(const Measurement& m)
+bool couldBeACar(const Measurement& m, double height)
 {
     const bool lengthFits = !m.facesSeen.seesSide() || m.box.length < kLongSide;
-    const bool widthFits = !m.facesSeen.seesEnd() || m.box.width < kWidestCar;
+    const bool widthFits = !m.facesSeen.seesEnd() || m.box.width < widestCar(height);
     const bool carEnd = m.facesSeen.seesEnd() && m.box.width > (locatesWidth(m) ? kCarEnd : 0.9);
     const bool carSide = m.facesSeen.seesSide() && m.box.length > (locatesLength(m) ? 2.1 : 1.2);
     return lengthFits && widthFits && (carEnd || carSide);
@@ -82,7 +94,7 @@ BoxMeasurement withSizes(const Measurement& m, double height, const Eigen::Vecto
 {
     Eigen::Vector2d known(m.box.length, m.box.width);
     Eigen::Vector2d sigma(o.unseenSigma, o.unseenSigma);
-    if (o.assumeVehicleSize && couldBeACar(m))
+    if (o.assumeVehicleSize && couldBeACar(m, height))
     {
         const Assumed length = carLength(height, o);
         const Assumed width = carWidth(height, o);
@@ -96,7 +108,7 @@ BoxMeasurement withSizes(const Measurement& m, double height, const Eigen::Vecto
         sigma.y() = kLargeWidth.sigma;
     }
     else if (o.assumeVehicleSize && m.facesSeen.seesEnd() && !m.facesSeen.seesSide() &&
-             m.box.width > kWidestCar)
+             m.box.width > widestCar(height))
     {
         if (const auto behind = lengthBehind(m.box.width, height, o))
         {
@@ -160,13 +172,28 @@ VehicleState grownToAVehicle(const VehicleState& predicted, const Measurement& m
     return predicted;
 }
 
+VehicleState withUsualCurvature(const VehicleState& state)
+{
+    const double speed = state.mean(kSpeed);
+    const double sigma = kAcrossSigma / std::max(1e-6, speed * speed);
+    if (state.steering == Steering::Independent || sigma >= kCurvatureSigma) return state;
+    // As if it had been measured: what the start did not say, as it did not know the speed.
+    const double variance = 1.0 / (std::pow(sigma, -2) - std::pow(kCurvatureSigma, -2));
+    const StateVector gain =
+        state.covariance.col(kCurvature) / (state.covariance(kCurvature, kCurvature) + variance);
+    VehicleState next = state;
+    next.mean -= state.mean(kCurvature) * gain;
+    next.mean(kHeading) = wrapAngle(next.mean(kHeading));
+    next.covariance -= gain * state.covariance.row(kCurvature);
+    return next;
+}
+
 VehicleState startState(const Measurement& measurement, double height,
                         const Eigen::Vector2d& sensor, const StartSpeed& speed,
                         const VisibilityOptions& visibility, const MotionOptions& motion)
 {
     const BoxMeasurement box = withSizes(measurement, height, sensor, visibility);
     const double axis = motion.axisFractionSigma * box.box(3);
-    constexpr double kCurvatureSigma = 0.05;  // 1/m
     VehicleState state;
     state.mean << box.box.head<3>(), speed.mean, 0.0, motion.axisFraction * box.box(3), box.box(3);
     state.width = box.box(4);

@@ -12,6 +12,7 @@
 #pragma pop_macro("MRPT_LOG_DEBUG")
 
 #include <Eigen/Cholesky>
+#include <algorithm>
 #include <array>
 #include <type_traits>
 #include <utility>
@@ -43,6 +44,17 @@ namespace
 // Rows that are measured.
 constexpr std::array<int, 4> kMeasured{kX, kY, kHeading, kLength};
 
+// Of speed times curvature, what a linear model leaves out: of a new vehicle neither is known, and
+// it may turn. (rad/s)^2
+double yawRateVarianceBySecondOrder(const VehicleState& state)
+{
+    constexpr double kMost = 0.3;  // rad/s, vehicles turn no faster
+    const StateMatrix& p = state.covariance;
+    const double variance = p(kSpeed, kSpeed) * p(kCurvature, kCurvature) +
+                            p(kSpeed, kCurvature) * p(kSpeed, kCurvature);
+    return std::min(variance, kMost * kMost);
+}
+
 // The state with its length known apart from its motion: told from a point of the box, what else
 // is known holds whatever the length is. Where a vehicle's heading jitters and its rear does not,
 // motion seems to tell of a long way between the two; that is not believed.
@@ -70,7 +82,8 @@ public:
     explicit Engine(const MotionOptions& options)
         : options_(options),
           variableAxis_(options),
-          steady_(steadyOptions(options)),
+          turning_(optionsOf(Steering::Turning, options)),
+          steady_(optionsOf(Steering::Steady, options)),
           independent_(options)
     {
         KF_options.method = mrpt::bayes::kfEKFNaive;
@@ -92,6 +105,8 @@ public:
         VehicleState next = state;
         next.mean = model.bounded(model.predicted(state.mean, dt));
         next.covariance = 0.5 * (p + p.transpose());
+        if (state.steering != Steering::Independent)
+            next.covariance(kHeading, kHeading) += dt * dt * yawRateVarianceBySecondOrder(state);
         return next;
     }
 
@@ -212,11 +227,13 @@ private:
     const MotionModel& modelFor(Steering steering) const
     {
         if (steering == Steering::Independent) return independent_;
+        if (steering == Steering::Turning) return turning_;
         return steering == Steering::Steady ? steady_ : variableAxis_;
     }
 
     MotionOptions options_;
     VariableAxisModel variableAxis_;
+    VariableAxisModel turning_;
     VariableAxisModel steady_;
     IndependentModel independent_;
     BoxMeasurement measurement_;
