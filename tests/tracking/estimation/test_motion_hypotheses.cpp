@@ -167,6 +167,25 @@ TEST(MotionHypotheses, MixtureHasTheSpreadOfItsMeans)
     EXPECT_NEAR(std::abs(both.mean(kHeading)), kPi, 1e-12);
 }
 
+// Which of the two erred is not known, but for what stands.
+TEST(MotionHypotheses, SurprisesAreMetHalfwayByWhatMayMove)
+{
+    MotionOptions options;
+    options.independent = false;
+    VehicleKalmanFilter filter{options};
+    VehicleState state = unknownSpeed();
+    state.covariance(kX, kX) = 0.04;
+    state.covariance(kSpeed, kSpeed) = 0.04;
+    BoxMeasurement m;
+    m.box << 4.0, 0.0, 0.0, 4.5, 1.8;
+    m.covariance.diagonal() << 0.04, 0.04, 1e-4, 0.01, 0.01;
+    const MotionHypotheses h =
+        updated(hypothesesFrom(state, options), m, JitterShares(), filter, 11.34);
+    EXPECT_NEAR(h.moving.mean(kX), 2.0, 0.3);
+    EXPECT_GT(h.moving.covariance(kX, kX), 0.2);
+    EXPECT_LT(h.standing.mean(kX), 0.5);
+}
+
 // A pedestrian steps aside, which no wheels do.
 TEST(MotionHypotheses, WhatMovesAcrossItsHeadingMovesFreely)
 {

@@ -124,14 +124,25 @@ struct Foretold
 };
 
 // What lies outside the gate is not jitter: the view has changed, or the vehicle did the
-// unexpected.
+// unexpected. Neither it nor the measurement was as certain as was thought, and which of them erred
+// more is not known: the update goes as far as it would have gone, and leaves as much more open.
 VehicleState updatedState(const VehicleState& state, const Measured& measured, double wholeNis,
                           double jitterNis, VehicleKalmanFilter& filter, double gate)
 {
     if (jitterNis <= gate) return filter.update(state, measured.jitter);
+    if (wholeNis <= gate) return filter.update(state, measured.whole);
+    const double vaguer = wholeNis / gate;
+    VehicleState before = state;
+    // What stands does nothing that surprises: there the measurement erred.
+    const bool mayMove = state.covariance(kSpeed, kSpeed) > 0.0;
+    if (mayMove)
+    {
+        before.covariance *= vaguer;
+        before.widthVariance *= vaguer;
+    }
     BoxMeasurement measurement = measured.whole;
-    if (wholeNis > gate) measurement.covariance *= wholeNis / gate;
-    return filter.update(state, measurement);
+    measurement.covariance *= vaguer;
+    return filter.update(before, measurement);
 }
 
 // In the long run, for what is known to move: what drives on without being seen does not come to

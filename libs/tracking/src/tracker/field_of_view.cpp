@@ -24,20 +24,45 @@ FieldOfView::FieldOfView(const LadarFrame& frame)
 {
     const PointCloud& points = frame.points;
     const Eigen::Vector2f sensor = (frame.sensor - frame.origin).head<2>().cast<float>();
+    first_.fill(1.0F);
+    last_.fill(0.0F);
     const std::size_t step = 1 + points.size() / kSample;
     for (std::size_t i = 0; i < points.size(); i += step)
     {
         const float x = points.x[i] - sensor.x();
         const float y = points.y[i] - sensor.y();
         // From bearing -pi on: of the opposite direction from 0 on.
-        if (std::isfinite(x) && std::isfinite(y))
-            seen_.set(sectorOf(turns(-x, -y, FineArc()), kSectors));
+        if (!std::isfinite(x) || !std::isfinite(y)) continue;
+        const float turn = turns(-x, -y, FineArc());
+        const std::size_t sector = sectorOf(turn, kSectors);
+        seen_.set(sector);
+        first_[sector] = std::min(first_[sector], turn);
+        last_[sector] = std::max(last_[sector], turn);
     }
 }
 
 bool FieldOfView::has(double bearing) const
 {
-    return seen_.test(sectorOf((wrapAngle(bearing) + kPi) / (2.0 * kPi), kSectors));
+    const double turn = (wrapAngle(bearing) + kPi) / (2.0 * kPi);
+    const std::size_t sector = sectorOf(turn, kSectors);
+    if (!seen_.test(sector)) return false;
+    // The view ends with the outermost hit before a sector without any.
+    const bool goesOnBefore = seen_.test((sector + kSectors - 1) % kSectors);
+    const bool goesOnBehind = seen_.test((sector + 1) % kSectors);
+    return (goesOnBefore || turn >= static_cast<double>(first_[sector])) &&
+           (goesOnBehind || turn <= static_cast<double>(last_[sector]));
+}
+
+RangeProfile withinView(RangeProfile profile, const FieldOfView& view)
+{
+    const auto size = static_cast<double>(profile.nearest.size());
+    double middle = 0.5;
+    for (float& nearest : profile.nearest)
+    {
+        if (!view.has(middle / size * 2.0 * kPi - kPi)) nearest = 0.0F;
+        middle += 1.0;
+    }
+    return profile;
 }
 
 }  // namespace vdamf

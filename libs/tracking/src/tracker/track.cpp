@@ -39,6 +39,41 @@ Measurement broughtTo(const VehicleState& state, const Measurement& measurement,
     m.box.heading = wrapAngle(m.box.heading - move(kHeading));
     return m;
 }
+// Whether all of some hits, in the frame of a box, lie on another one, grown by a margin (m).
+bool isWithin(const OrientedBox& hits, const OrientedBox& box, double margin)
+{
+    for (const Eigen::Vector2d& corner : corners(hits))
+    {
+        const Eigen::Vector2d p = toBoxFrame(box, corner).cwiseAbs();
+        if (p.x() > 0.5 * box.length + margin || p.y() > 0.5 * box.width + margin) return false;
+    }
+    return true;
+}
+
+// Of what stands, of known size, and goes out of sight the last hits are on any part of it, and
+// where they are expected: they tell that it is there, and not where its faces are.
+bool isLastGlimpse(const Track& track, const Sighting& sighting, double margin)
+{
+    constexpr double kPart = 0.25;  // of the length
+    if (track.hypotheses.standingProbability < 0.5 || !track.told.length) return false;
+    const bool isPart =
+        std::hypot(sighting.around.length, sighting.around.width) < kPart * track.box().length;
+    return isPart && !sighting.measurement.hiddenEnds.empty() &&
+           isWithin(sighting.around, track.box(), margin);
+}
+
+Track stillThere(Track track, const Measurement& m, double time, const LifecycleOptions& options)
+{
+    track.measurement = m;
+    ++track.sightings;
+    track.misses = 0;
+    track.lastSeen = time;
+    track = withHit(std::move(track), options);
+    if (track.status == TrackStatus::Coasting ||
+        (track.status == TrackStatus::Tentative && track.sightings >= options.confirmHits))
+        track.status = TrackStatus::Confirmed;
+    return track;
+}
 }  // namespace
 
 OrientedBox Track::boxOfHits() const
@@ -80,6 +115,8 @@ Track sightedTrack(Track track, const Sighting& sighting, double neighbours,
     const VisibilityOptions& visibility = options.visibility;
     const Measurement m = alignedWith(
         sighting.measurement, stateAt(track.state, sighting.lag, options.motion).mean(kHeading));
+    if (isLastGlimpse(track, sighting, options.association.surfaceSigma))
+        return stillThere(std::move(track), m, sighting.time, options.lifecycle);
     MotionHypotheses hypotheses = track.hypotheses;
     hypotheses.forEach([&](const VehicleState& state)
                        { return grownToAVehicle(state, m, track.height, track.told, visibility); });
@@ -100,17 +137,10 @@ Track sightedTrack(Track track, const Sighting& sighting, double neighbours,
     track.told = track.told.with(m);
     track.around = inFrameOf(then.box(), sighting.around);
     track.state = track.hypotheses.combined(options.motion);
-    track.measurement = m;
     track.lastMatch = m.match;
     track.groundZ = sighting.groundZ;
     track.height = std::max(sighting.height, 0.95 * track.height + 0.05 * sighting.height);
-    ++track.sightings;
-    track.misses = 0;
-    track.lastSeen = sighting.time;
-    track = withHit(std::move(track), options.lifecycle);
-    if (track.status == TrackStatus::Coasting || (track.status == TrackStatus::Tentative &&
-                                                  track.sightings >= options.lifecycle.confirmHits))
-        track.status = TrackStatus::Confirmed;
+    track = stillThere(std::move(track), m, sighting.time, options.lifecycle);
     const Vector5d& b = box.box;
     appendToPath(track,
                  {sighting.time + sighting.lag, {b(0), b(1), b(2), b(3), b(4)}, locatedFaces(m)});

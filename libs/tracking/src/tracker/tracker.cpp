@@ -80,6 +80,8 @@ private:
         s.pointsAboveGround = above.index.size();
         enter(Stage::Clustering);
         s.profile = rangeProfile(frame, above);
+        // A level scan does not tell where it looks and hits nothing.
+        if (!frame.planar) s.profile = withinView(std::move(s.profile), FieldOfView(frame));
         s.clusters = clusterPoints(frame, above, options_.clustering);
         s.hits.resize(s.clusters.size());
         workers_.forEach(
