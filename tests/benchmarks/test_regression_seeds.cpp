@@ -11,22 +11,29 @@ namespace vdamf
 {
 namespace
 {
+using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::Not;
+using ::testing::StartsWith;
 
 TEST(RegressionSeeds, OnlyWhatIsSimulatedHasSeeds)
 {
     RegressionScenario simulated;
     simulated.name = "turn";
-    simulated.make = {"vdamf-simulate", "turn.ini"};
+    const std::string file = VDAMF_SOURCE_DIR "/datasets/scenarios/lane_change.ini";
+    simulated.make = {"vdamf-simulate", file};
     RegressionScenario recorded;
     recorded.name = "drive";
     recorded.make = {"vdamf-import", "kitti-raw"};
     const auto all = withSeeds({simulated, recorded}, 2);
     ASSERT_EQ(all.size(), 2U);
     EXPECT_EQ(all[0].name, "turn/seed_1");
-    EXPECT_THAT(all[1].make, ElementsAre("vdamf-simulate", "turn.ini", "--set", "scenario.seed=2"));
+    ASSERT_GT(all[1].make.size(), 4U);
+    EXPECT_THAT(std::vector<std::string>(all[1].make.begin(), all[1].make.begin() + 4),
+                ElementsAre("vdamf-simulate", file, "--set", "scenario.seed=2"));
+    EXPECT_THAT(all[1].make, Contains(StartsWith("object changing.length_m=")));
+    EXPECT_NE(all[0].make[5], all[1].make[5]) << "of another start";
 }
 
 TEST(RegressionSeeds, TellsWhetherTheMeanIsInItsBand)

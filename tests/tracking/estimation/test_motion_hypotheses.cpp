@@ -55,7 +55,7 @@ TEST(MotionHypotheses, AParkedCarHasNoSpeed)
                              std::abs(follower.hypotheses.combined(MotionOptions()).mean(kSpeed)));
     }
     EXPECT_LT(worst, 0.15);
-    EXPECT_GT(follower.hypotheses.standingProbability, 0.6);
+    EXPECT_GT(follower.hypotheses.standingProbability, 0.5);
 }
 
 TEST(MotionHypotheses, ACarThatPullsAwayIsFollowedAndStopsAgain)
@@ -92,14 +92,48 @@ TEST(MotionHypotheses, WhatGoesOnSteadilyIsKnownBetterThanWhatBrakes)
         return std::sqrt(state.covariance(kSpeed, kSpeed));
     };
     for (int k = 0; k < 60; ++k) follower.see(x += 1.5);
-    EXPECT_GT(follower.hypotheses.steadyProbability, 0.6);
+    EXPECT_GT(follower.hypotheses.drivingProbability.back(), 0.6);
     const double steady = sigma();
     EXPECT_LT(steady, 0.4);
     double speed = 15.0;
     for (int k = 0; k < 15; ++k) follower.see(x += 0.1 * (speed -= 0.5));
-    EXPECT_LT(follower.hypotheses.steadyProbability, 0.4);
+    EXPECT_LT(follower.hypotheses.drivingProbability.back(), 0.3);
     EXPECT_GT(sigma(), 1.2 * steady);
     EXPECT_NEAR(follower.hypotheses.combined(MotionOptions()).mean(kSpeed), speed, 2.0 * sigma());
+}
+
+// A lane change at 15 m/s, measured well.
+TEST(MotionHypotheses, WhatTurnsKeepsItsSpeedKnown)
+{
+    const MotionOptions options;
+    VehicleKalmanFilter filter{options};
+    std::mt19937_64 generator{7};
+    std::normal_distribution<double> gauss;
+    MotionHypotheses h = hypothesesFrom(unknownSpeed(), options);
+    const double swerve = 0.25;  // rad/s
+    double x = 0.0;
+    double y = 0.0;
+    double heading = 0.0;
+    for (int k = 0; k < 60; ++k)
+    {
+        heading += k >= 50 ? 0.1 * swerve : 0.0;
+        x += 1.5 * std::cos(heading);
+        y += 1.5 * std::sin(heading);
+        BoxMeasurement m;
+        m.box << x + 0.03 * gauss(generator), y + 0.02 * gauss(generator),
+            heading + 0.01 * gauss(generator), 4.5, 1.8;
+        m.covariance.diagonal() << 9e-4, 4e-4, 1e-4, 0.01, 0.01;
+        h = updated(predicted(h, 0.1, filter, options), m, JitterShares(), filter, 11.34);
+        if (k == 49)
+        {
+            EXPECT_GT(h.drivingProbability[2], 0.5) << "steady";
+        }
+    }
+    EXPECT_GT(h.drivingProbability[1], h.drivingProbability[2]) << "turning";
+    const VehicleState state = h.combined(options);
+    EXPECT_NEAR(state.yawRate(), swerve, 0.06);
+    EXPECT_NEAR(state.mean(kSpeed), 15.0, 0.15);
+    EXPECT_LT(std::sqrt(state.covariance(kSpeed, kSpeed)), 0.3);
 }
 
 TEST(MotionHypotheses, WhatIsHiddenDrivesOn)
@@ -120,10 +154,12 @@ TEST(MotionHypotheses, MixtureHasTheSpreadOfItsMeans)
     MotionOptions wheels;
     wheels.independent = false;
     MotionHypotheses h = hypothesesFrom(unknownSpeed(), wheels);
-    h.moving.mean(kSpeed) = 4.0;
-    h.moving.covariance(kSpeed, kSpeed) = 1.0;
-    h.moving.mean(kHeading) = 3.1;
-    h.steady = h.moving;
+    for (VehicleState& state : h.driving)
+    {
+        state.mean(kSpeed) = 4.0;
+        state.covariance(kSpeed, kSpeed) = 1.0;
+        state.mean(kHeading) = 3.1;
+    }
     h.standing.mean(kHeading) = -3.1;
     const VehicleState both = h.combined(MotionOptions());
     EXPECT_NEAR(both.mean(kSpeed), 2.0, 1e-12);

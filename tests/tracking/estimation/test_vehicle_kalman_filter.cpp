@@ -6,6 +6,7 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
+#include <cmath>
 #include <random>
 
 namespace vdamf
@@ -47,7 +48,11 @@ TEST(VehicleKalmanFilter, EqualsTextbookFilter)
         const StateMatrix f = transitionJacobian(reference.mean, 0.1, options);
         const StateMatrix q = processNoise(reference.mean, 0.1, options);
         reference.mean = withinBounds(predictState(reference.mean, 0.1, options), options);
+        const double speedAndTurn =
+            reference.covariance(kSpeed, kSpeed) * reference.covariance(kCurvature, kCurvature) +
+            std::pow(reference.covariance(kSpeed, kCurvature), 2);
         reference.covariance = f * reference.covariance * f.transpose() + q;
+        reference.covariance(kHeading, kHeading) += 0.1 * 0.1 * speedAndTurn;
         ASSERT_LT((s.mean - reference.mean).norm(), 1e-10) << k;
         ASSERT_LT((s.covariance - reference.covariance).norm(), 1e-10) << k;
 
@@ -78,6 +83,39 @@ TEST(VehicleKalmanFilter, EqualsTextbookFilter)
         ASSERT_LT((s.covariance - reference.covariance).norm(), 1e-9) << k;
         ASSERT_EQ((s.covariance - s.covariance.transpose()).norm(), 0.0);
     }
+}
+
+// Where neither speed nor curvature is known, their product is not either: it is no part of a
+// linear model.
+TEST(VehicleKalmanFilter, HeadingOfWhatMayTurnEqualsMonteCarlo)
+{
+    const MotionOptions options;
+    VehicleKalmanFilter filter(options);
+    VehicleState s;
+    s.mean << 0.0, 0.0, 0.0, 0.0, 0.0, 1.2, 4.2;
+    s.covariance.diagonal() << 1e-4, 1e-4, 1e-6, 16.0, 0.0025, 1e-4, 1e-4;
+    const double dt = 0.1;
+    const double noise = processNoise(s.mean, dt, options)(kHeading, kHeading);
+    std::mt19937 random(5);
+    std::normal_distribution<double> speed(0.0, 4.0);
+    std::normal_distribution<double> curvature(0.0, 0.05);
+    std::normal_distribution<double> heading(0.0, 1e-3);
+    constexpr int kSamples = 40000;
+    double sum = 0.0;
+    for (int k = 0; k < kSamples; ++k)
+    {
+        StateVector sample = s.mean;
+        sample(kHeading) = heading(random);
+        sample(kSpeed) = speed(random);
+        sample(kCurvature) = curvature(random);
+        sum += std::pow(predictState(sample, dt, options)(kHeading), 2);
+    }
+    const double variance = filter.predict(s, dt).covariance(kHeading, kHeading);
+    EXPECT_NEAR(variance - noise, sum / kSamples, 0.05 * sum / kSamples);
+
+    s.covariance(kSpeed, kSpeed) = 1e4;
+    EXPECT_LT(filter.predict(s, dt).covariance(kHeading, kHeading), 0.04 * 0.04)
+        << "no vehicle turns as fast as that";
 }
 
 TEST(VehicleKalmanFilter, HeadingInnovationWraps)
@@ -112,6 +150,44 @@ TEST(VehicleKalmanFilter, LengthMovesTheCentreAndNotTheSpeed)
     EXPECT_NEAR(after.mean(kLength), 5.2, 0.05);
     EXPECT_NEAR(after.mean(kX), 21.5, 0.05);
     EXPECT_NEAR(after.mean(kSpeed), 10.0, 0.05);
+}
+
+// A rear was seen, and nothing of the length or the width: its place along the course is known to
+// centimetres, though the fit's heading is off by 4 degrees.
+TEST(VehicleKalmanFilter, WhatIsUnknownAcrossAFaceDoesNotBlurItsPlace)
+{
+    VehicleState s = startState();
+    s.mean << 20.0, 0.0, 0.0, 0.0, 0.0, 1.2, 4.5;
+    s.covariance.setZero();
+    s.covariance.diagonal() << 0.01, 0.01, 0.003, 0.0, 0.0, 0.0, 0.01;
+    const double heading = 0.07;
+    const Eigen::Matrix2d axes = rotation(heading);
+    BoxMeasurement m;
+    m.fixedPoint = {-1.0, 0.0};
+    m.box << 23.0, 0.0, heading, 4.5, 1.8;  // 3 m ahead of the state
+    m.covariance(2, 2) = 1e-3;
+    // Error of the rear, of the front, and of either side, m.
+    const double sigma[4] = {0.04, 50.0, 50.0, 50.0};
+    for (int face = 0; face < 4; ++face)
+    {
+        Vector5d byFace = Vector5d::Zero();
+        byFace.head<2>() = 0.5 * axes.col(face / 2);
+        byFace(3 + face / 2) = face % 2 == 0 ? -1.0 : 1.0;
+        m.covariance += sigma[face] * sigma[face] * byFace * byFace.transpose();
+    }
+    const double nis = innovationOf(s, m).nis();
+    EXPECT_GT(nis, 9.0 / 0.02);
+    // The same seen from any side.
+    m.box.head<2>() = rotation(1.0) * m.box.head<2>();
+    m.box(2) += 1.0;
+    Matrix5d turn = Matrix5d::Identity();
+    turn.topLeftCorner<2, 2>() = rotation(1.0);
+    m.covariance = turn * m.covariance * turn.transpose();
+    s.mean.head<2>() = rotation(1.0) * s.mean.head<2>();
+    s.mean(kHeading) += 1.0;
+    s.covariance.topLeftCorner<2, 2>() =
+        rotation(1.0) * s.covariance.topLeftCorner<2, 2>() * rotation(-1.0);
+    EXPECT_NEAR(innovationOf(s, m).nis(), nis, 1e-6 * nis);
 }
 
 TEST(VehicleKalmanFilter, WidthSaysWhereTheCentreIsBehindOneSide)

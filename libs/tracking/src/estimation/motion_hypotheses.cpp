@@ -1,24 +1,32 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vdamf/tracking/estimation/motion_hypotheses.h"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <vector>
+
+#include "estimation/surprise.h"
 
 namespace vdamf
 {
 namespace
 {
 constexpr double kRestTime = 1.6;  // s, in which vehicles that stand may start, or stop
-// Mean times, s, for which vehicles go on steadily, and for which they brake or turn.
-constexpr double kSteadyTime = 6.0;
-constexpr double kManoeuvreTime = 2.0;
+// Vehicles hold their speed for 6 s and change it for 2 s in the mean, and their steering as well,
+// apart from each other. So from one way to another, 1/s; those that do both may end up either way.
+constexpr double kBegins = 1.0 / 6.0;
+constexpr double kEnds = 1.0 / 2.0;
+constexpr double kRates[MotionHypotheses::kWays][MotionHypotheses::kWays] = {
+    {0.0, 0.5 * kEnds, 0.5 * kEnds}, {kBegins, 0.0, kEnds}, {kBegins, kBegins, 0.0}};
+// At the start, as much for what foretells sharply as for what does not.
+constexpr std::array<double, MotionHypotheses::kWays> kAtStart{0.5, 0.25, 0.25};
+constexpr std::array<Steering, MotionHypotheses::kWays> kSteerings{
+    Steering::VariableAxis, Steering::Turning, Steering::Steady};
 constexpr double kLeast = 0.02;         // of a probability: nothing is ruled out
 constexpr double kRefuted = 0.05;       // of the standing hypothesis
 constexpr double kFree = 0.03;          // of what moves, does not follow wheels
 constexpr double kStartYawRate = 0.3;   // rad/s
-constexpr double kMostEvidence = 6.0;   // log odds, of one measurement
 constexpr double kSurpriseSigma = 1.5;  // m/s, of the speed of a vehicle that left its gate
 
 VehicleState atRest(const VehicleState& state)
@@ -67,34 +75,33 @@ double bounded(double probability)
     return std::clamp(probability, kLeast, 1.0 - kLeast);
 }
 
-// How a hypothesis foretold a measurement.
-struct Surprise
-{
-    double nis = 0.0;
-    double logVolume = 0.0;  // of the innovation's covariance
-};
+using Ways = std::array<double, MotionHypotheses::kWays>;
 
-Surprise surpriseOf(const VehicleState& state, const BoxMeasurement& measurement)
+// The same in proportion, with a sum of 1; nothing is ruled out.
+Ways asProbabilities(Ways weights)
 {
-    const Innovation innovation = innovationOf(state, measurement);
-    return {innovation.nis(), std::log(innovation.covariance.determinant())};
+    for (const double least : {0.0, kLeast})
+    {
+        double sum = 0.0;
+        for (double& each : weights) sum += each = std::max(each, least);
+        for (double& each : weights) each /= sum;
+    }
+    return weights;
 }
 
-// Likelihoods of a measurement by hypotheses, relative to the best one. What surprises all of them
-// says little: it counts for as much less as it lies outside the gate of the nearest one.
-std::vector<double> likelihoods(const std::vector<Surprise>& foretold, double gate)
+// Mean and covariance of all of them with these probabilities; steering as of the one at `own`.
+VehicleState mixture(const std::array<VehicleState, MotionHypotheses::kWays>& states,
+                     const Ways& probabilities, std::size_t own)
 {
-    double nearest = gate;
-    for (std::size_t i = 0; i < foretold.size(); ++i)
-        nearest = i == 0 ? foretold[i].nis : std::min(nearest, foretold[i].nis);
-    const double weight = std::min(1.0, gate / std::max(1e-9, nearest));
-    std::vector<double> logs;
-    logs.reserve(foretold.size());
-    for (const Surprise& each : foretold)
-        logs.push_back(-0.5 * (weight * each.nis + each.logVolume));
-    const double best = *std::max_element(logs.begin(), logs.end());
-    for (double& each : logs) each = std::exp(std::max(each - best, -kMostEvidence));
-    return logs;
+    VehicleState all = states[own];
+    double sum = probabilities[own];
+    for (std::size_t k = 0; k < states.size(); ++k)
+    {
+        if (k == own) continue;
+        sum += probabilities[k];
+        all = mixed(all, states[k], probabilities[k] / sum);
+    }
+    return all;
 }
 
 // A measured box, whole and with its jitter alone.
@@ -144,34 +151,40 @@ struct Rest
     double free = 0.0;
 };
 
+// In the order of `foretold`: those that drive, the one that stands, the one that moves freely.
 Rest restOf(const MotionHypotheses& h, const std::vector<Surprise>& foretold, double gate)
 {
     const std::vector<double> likelihood = likelihoods(foretold, gate);
-    const double wheels =
-        h.steadyProbability * likelihood[1] + (1.0 - h.steadyProbability) * likelihood[0];
-    const double free = h.freeProbability > 0.0 ? h.freeProbability * likelihood[3] : 0.0;
+    double wheels = 0.0;
+    for (std::size_t k = 0; k < h.kWays; ++k) wheels += h.drivingProbability[k] * likelihood[k];
+    const double free = h.freeProbability > 0.0 ? h.freeProbability * likelihood.back() : 0.0;
     const double moves = free + (1.0 - h.freeProbability) * wheels;
-    const double stands = h.standingProbability * likelihood[2];
+    const double stands = h.standingProbability * likelihood[h.kWays];
     return {stands / (stands + (1.0 - h.standingProbability) * moves), free / moves};
 }
 
-// What follows its wheels, steadily or not.
 VehicleState onWheels(const MotionHypotheses& h)
 {
-    return mixed(h.moving, h.steady, h.steadyProbability);
+    return mixture(h.driving, h.drivingProbability, 0);
 }
 
-// Each of the two starts from what both know, weighed with the odds that it came from there.
+// Each starts from what all know, weighed with the odds that it came from there.
 MotionHypotheses interacting(const MotionHypotheses& h, double dt)
 {
-    const double steadyStays = std::exp(-dt / kSteadyTime);
-    const double movingStays = std::exp(-dt / kManoeuvreTime);
-    const double moves = 1.0 - h.steadyProbability;
     MotionHypotheses next = h;
-    next.steadyProbability = h.steadyProbability * steadyStays + moves * (1.0 - movingStays);
-    next.steady = mixed(h.steady, h.moving, moves * (1.0 - movingStays) / next.steadyProbability);
-    next.moving = mixed(h.moving, h.steady,
-                        h.steadyProbability * (1.0 - steadyStays) / (1.0 - next.steadyProbability));
+    for (std::size_t to = 0; to < h.kWays; ++to)
+    {
+        Ways from{};
+        for (std::size_t k = 0; k < h.kWays; ++k)
+        {
+            const double leaves = std::accumulate(kRates[k], kRates[k] + h.kWays, 0.0);
+            const double stays = std::exp(-dt * leaves);
+            from[k] = h.drivingProbability[k] *
+                      (k == to ? stays : (1.0 - stays) * kRates[k][to] / leaves);
+        }
+        next.drivingProbability[to] = std::accumulate(from.begin(), from.end(), 0.0);
+        next.driving[to] = mixture(h.driving, from, to);
+    }
     return next;
 }
 }  // namespace
@@ -180,16 +193,20 @@ VehicleState MotionHypotheses::combined(const MotionOptions& options) const
 {
     const double freeShare = share(freeProbability);
     const VehicleState wheels = onWheels(*this);
-    const VehicleState driving =
+    const VehicleState moving =
         freeShare > 0.0 ? mixed(wheels, variableAxisOf(free, wheels, options), freeShare) : wheels;
-    return mixed(driving, standing, share(standingProbability));
+    return mixed(moving, standing, share(standingProbability));
 }
 
 MotionHypotheses hypothesesFrom(const VehicleState& state, const MotionOptions& options)
 {
     MotionHypotheses all;
-    all.moving = all.steady = state;
-    all.steady.steering = Steering::Steady;
+    for (std::size_t k = 0; k < all.kWays; ++k)
+    {
+        all.driving[k] = state;
+        all.driving[k].steering = kSteerings[k];
+        all.drivingProbability[k] = kAtStart[k];
+    }
     all.standing = atRest(state);
     if (!options.independent) return all;
     all.free = independentOf(state);
@@ -207,10 +224,9 @@ MotionHypotheses predicted(const MotionHypotheses& h, double dt, VehicleKalmanFi
 {
     const double stays = std::exp(-dt / kRestTime);
     MotionHypotheses next = interacting(h, dt);
-    next.moving = filter.predict(next.moving, dt);
-    next.steady = filter.predict(next.steady, dt);
+    for (VehicleState& state : next.driving) state = filter.predict(state, dt);
     next.standing = standingLater(h.standing, dt, options);
-    const double rest = restProbability(next.moving);
+    const double rest = restProbability(next.driving.front());
     next.standingProbability = rest + stays * (h.standingProbability - rest);
     if (h.freeProbability > 0.0)
     {
@@ -240,16 +256,18 @@ MotionHypotheses updated(const MotionHypotheses& h, const BoxMeasurement& measur
     const Measured measured{measurement, withJitterAlone(measurement, jitter)};
     Foretold foretold;
     MotionHypotheses next = h;
-    std::vector<VehicleState*> states{&next.moving, &next.steady, &next.standing};
+    std::vector<VehicleState*> states;
+    for (VehicleState& state : next.driving) states.push_back(&state);
+    states.push_back(&next.standing);
     if (h.freeProbability > 0.0) states.push_back(&next.free);
     for (const VehicleState* state : states)
         foretold.add(stateAt(*state, measurement.lag, filter.options()), measured);
     const std::vector<Surprise>& sharp = foretold.jitter;
 
-    const std::vector<double> manoeuvring = likelihoods({sharp[0], sharp[1]}, nisGate);
-    const double steady = h.steadyProbability * manoeuvring[1];
-    const double moving = (1.0 - h.steadyProbability) * manoeuvring[0];
-    next.steadyProbability = bounded(steady / (steady + moving));
+    const std::vector<double> likelihood =
+        likelihoods({sharp.begin(), sharp.begin() + h.kWays}, nisGate);
+    for (std::size_t k = 0; k < h.kWays; ++k) next.drivingProbability[k] *= likelihood[k];
+    next.drivingProbability = asProbabilities(next.drivingProbability);
 
     const Rest rests = restOf(h, sharp, nisGate);
     const Rest restsByAll = restOf(h, foretold.whole, nisGate);
@@ -264,11 +282,12 @@ MotionHypotheses updated(const MotionHypotheses& h, const BoxMeasurement& measur
             *states[k] = updatedState(*states[k], measured, foretold.whole[k].nis, sharp[k].nis,
                                       filter, nisGate);
     if (foretold.whole.front().nis > nisGate)
-        next.moving.covariance(kSpeed, kSpeed) += kSurpriseSigma * kSurpriseSigma;
+        next.driving.front().covariance(kSpeed, kSpeed) += kSurpriseSigma * kSurpriseSigma;
     if (refuted)
-        next.standing = atRest(share(next.freeProbability) > 0.5
-                                   ? variableAxisOf(next.free, next.moving, filter.options())
-                                   : onWheels(next));
+        next.standing =
+            atRest(share(next.freeProbability) > 0.5
+                       ? variableAxisOf(next.free, next.driving.front(), filter.options())
+                       : onWheels(next));
     return next;
 }
 

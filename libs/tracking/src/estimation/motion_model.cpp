@@ -22,9 +22,11 @@ StateVector VariableAxisModel::bounded(const StateVector& state) const
     return withinBounds(state, options_);
 }
 
-MotionOptions steadyOptions(MotionOptions options)
+MotionOptions optionsOf(Steering steering, MotionOptions options)
 {
+    if (steering == Steering::VariableAxis) return options;
     options.accelerationSigma *= options.steadyShare;
+    if (steering == Steering::Turning) return options;
     options.maxCurvatureRate *= options.steadyShare;
     options.lateralJerk *= options.steadyShare;
     return options;
@@ -33,8 +35,7 @@ MotionOptions steadyOptions(MotionOptions options)
 std::unique_ptr<MotionModel> modelOf(Steering steering, const MotionOptions& options)
 {
     if (steering == Steering::Independent) return std::make_unique<IndependentModel>(options);
-    return std::make_unique<VariableAxisModel>(steering == Steering::Steady ? steadyOptions(options)
-                                                                            : options);
+    return std::make_unique<VariableAxisModel>(optionsOf(steering, options));
 }
 
 VehicleState stateAt(const VehicleState& state, double dt, const MotionOptions& options)

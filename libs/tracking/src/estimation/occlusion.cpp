@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vdamf/tracking/estimation/occlusion.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace vdamf
@@ -43,6 +44,22 @@ FaceSet hiddenEnds(const OrientedBox& box, FaceSet seen, const Eigen::Vector2d& 
         }
     }
     return hidden;
+}
+
+FaceSet endsBelowView(const OrientedBox& box, const Eigen::Vector2d& sensor, double sensorHeight,
+                      const RangeProfile& profile)
+{
+    constexpr double kBumper = 0.6;  // m, of which some has to be seen
+    FaceSet below;
+    const Eigen::Vector2d view = toBoxFrame(box, sensor);
+    const double across = std::max(0.0, std::abs(view.y()) - 0.5 * box.width);
+    for (int side = 0; side < 2; ++side)
+    {
+        const double end = (side == 0 ? -0.5 : 0.5) * box.length;
+        const double range = std::hypot(view.x() - end, across);
+        if (sensorHeight + profile.lowestSlope * range > kBumper) below.add(kEnd[0][side]);
+    }
+    return below;
 }
 
 }  // namespace vdamf

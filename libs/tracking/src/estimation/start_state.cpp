@@ -27,6 +27,11 @@ struct Assumed
 };
 constexpr Assumed kLargeWidth{2.1, 0.3};
 
+// Of a new vehicle's path, 1/m: as tight as at a slow turn, and no tighter than this acceleration
+// across (m/s^2) lets it be.
+constexpr double kCurvatureSigma = 0.05;
+constexpr double kAcrossSigma = 2.0;
+
 // Vans are higher, longer and wider than cars: by the height over that of a car, m per m, of the
 // labelled vehicles of KITTI and Argoverse 2 (255 below 2.5 m).
 constexpr double kCarHeight = 1.5;   // m
@@ -160,13 +165,28 @@ VehicleState grownToAVehicle(const VehicleState& predicted, const Measurement& m
     return predicted;
 }
 
+VehicleState withUsualCurvature(const VehicleState& state)
+{
+    const double speed = state.mean(kSpeed);
+    const double sigma = kAcrossSigma / std::max(1e-6, speed * speed);
+    if (state.steering == Steering::Independent || sigma >= kCurvatureSigma) return state;
+    // As if it had been measured: what the start did not say, as it did not know the speed.
+    const double variance = 1.0 / (std::pow(sigma, -2) - std::pow(kCurvatureSigma, -2));
+    const StateVector gain =
+        state.covariance.col(kCurvature) / (state.covariance(kCurvature, kCurvature) + variance);
+    VehicleState next = state;
+    next.mean -= state.mean(kCurvature) * gain;
+    next.mean(kHeading) = wrapAngle(next.mean(kHeading));
+    next.covariance -= gain * state.covariance.row(kCurvature);
+    return next;
+}
+
 VehicleState startState(const Measurement& measurement, double height,
                         const Eigen::Vector2d& sensor, const StartSpeed& speed,
                         const VisibilityOptions& visibility, const MotionOptions& motion)
 {
     const BoxMeasurement box = withSizes(measurement, height, sensor, visibility);
     const double axis = motion.axisFractionSigma * box.box(3);
-    constexpr double kCurvatureSigma = 0.05;  // 1/m
     VehicleState state;
     state.mean << box.box.head<3>(), speed.mean, 0.0, motion.axisFraction * box.box(3), box.box(3);
     state.width = box.box(4);

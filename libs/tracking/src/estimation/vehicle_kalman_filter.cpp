@@ -12,6 +12,7 @@
 #pragma pop_macro("MRPT_LOG_DEBUG")
 
 #include <Eigen/Cholesky>
+#include <algorithm>
 #include <array>
 #include <type_traits>
 #include <utility>
@@ -43,6 +44,17 @@ namespace
 // Rows that are measured.
 constexpr std::array<int, 4> kMeasured{kX, kY, kHeading, kLength};
 
+// Of speed times curvature, what a linear model leaves out: of a new vehicle neither is known, and
+// it may turn. (rad/s)^2
+double yawRateVarianceBySecondOrder(const VehicleState& state)
+{
+    constexpr double kMost = 0.3;  // rad/s, vehicles turn no faster
+    const StateMatrix& p = state.covariance;
+    const double variance = p(kSpeed, kSpeed) * p(kCurvature, kCurvature) +
+                            p(kSpeed, kCurvature) * p(kSpeed, kCurvature);
+    return std::min(variance, kMost * kMost);
+}
+
 // The state with its length known apart from its motion: told from a point of the box, what else
 // is known holds whatever the length is. Where a vehicle's heading jitters and its rear does not,
 // motion seems to tell of a long way between the two; that is not believed.
@@ -70,7 +82,8 @@ public:
     explicit Engine(const MotionOptions& options)
         : options_(options),
           variableAxis_(options),
-          steady_(steadyOptions(options)),
+          turning_(optionsOf(Steering::Turning, options)),
+          steady_(optionsOf(Steering::Steady, options)),
           independent_(options)
     {
         KF_options.method = mrpt::bayes::kfEKFNaive;
@@ -92,6 +105,8 @@ public:
         VehicleState next = state;
         next.mean = model.bounded(model.predicted(state.mean, dt));
         next.covariance = 0.5 * (p + p.transpose());
+        if (state.steering != Steering::Independent)
+            next.covariance(kHeading, kHeading) += dt * dt * yawRateVarianceBySecondOrder(state);
         return next;
     }
 
@@ -212,11 +227,13 @@ private:
     const MotionModel& modelFor(Steering steering) const
     {
         if (steering == Steering::Independent) return independent_;
+        if (steering == Steering::Turning) return turning_;
         return steering == Steering::Steady ? steady_ : variableAxis_;
     }
 
     MotionOptions options_;
     VariableAxisModel variableAxis_;
+    VariableAxisModel turning_;
     VariableAxisModel steady_;
     IndependentModel independent_;
     BoxMeasurement measurement_;
@@ -256,6 +273,28 @@ VehicleState VehicleKalmanFilter::update(const VehicleState& state,
     return next;
 }
 
+namespace
+{
+struct FixedPoint
+{
+    Eigen::Vector3d value;              // its place and the heading
+    Eigen::Matrix<double, 3, 5> byBox;  // d value / d (x, y, heading, length, width)
+};
+
+// Of a box (x, y, heading, length, width).
+FixedPoint fixedPointOf(const Vector5d& box, const Eigen::Vector2d& at)
+{
+    const Eigen::Matrix2d r = rotation(box(2));
+    const Eigen::Vector2d offset = 0.5 * at.cwiseProduct(box.tail<2>());
+    FixedPoint point{box.head<3>(), Eigen::Matrix<double, 3, 5>::Zero()};
+    point.value.head<2>() += r * offset;
+    point.byBox.leftCols<3>().setIdentity();
+    point.byBox.block<2, 1>(0, 2) = r * Eigen::Vector2d(-offset.y(), offset.x());
+    point.byBox.block<2, 2>(0, 3) = r * (0.5 * at).asDiagonal();
+    return point;
+}
+}  // namespace
+
 BoxMeasurement withKnown(const BoxMeasurement& measurement, Eigen::Index row, double value,
                          double variance)
 {
@@ -280,18 +319,16 @@ Innovation innovationOf(const VehicleState& state, const BoxMeasurement& measure
     p.block<1, 3>(3, 0) = state.covariance.block<1, 3>(kLength, 0);
     p(3, 3) = state.covariance(kLength, kLength);
     p(4, 4) = state.widthVariance;
-    Vector5d difference;
-    difference << measurement.box.head<3>() - state.mean.head<3>(),
-        measurement.box.tail<2>() - state.size();
+    Vector5d box;
+    box << state.mean.head<3>(), state.size();
+    const FixedPoint foretold = fixedPointOf(box, measurement.fixedPoint);
+    // Each by its own axes: what the measurement does not tell across its faces must not seem to be
+    // unknown along them.
+    const FixedPoint measured = fixedPointOf(measurement.box, measurement.fixedPoint);
+    Eigen::Vector3d difference = measured.value - foretold.value;
     difference(2) = wrapAngle(difference(2));
-    // d (x, y of the fixed point, heading) / d (x, y, heading, length, width)
-    const Eigen::Matrix2d r = rotation(state.mean(kHeading));
-    const Eigen::Vector2d offset = 0.5 * measurement.fixedPoint.cwiseProduct(state.size());
-    Eigen::Matrix<double, 3, 5> j = Eigen::Matrix<double, 3, 5>::Zero();
-    j.leftCols<3>().setIdentity();
-    j.block<2, 1>(0, 2) = r * Eigen::Vector2d(-offset.y(), offset.x());
-    j.block<2, 2>(0, 3) = r * (0.5 * measurement.fixedPoint).asDiagonal();
-    return {j * difference, j * (p + measurement.covariance) * j.transpose()};
+    return {difference, foretold.byBox * p * foretold.byBox.transpose() +
+                            measured.byBox * measurement.covariance * measured.byBox.transpose()};
 }
 
 }  // namespace vdamf

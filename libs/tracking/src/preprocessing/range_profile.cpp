@@ -47,6 +47,25 @@ struct Block
         });
     }
 };
+
+double lowestSlope(const LadarFrame& frame)
+{
+    constexpr std::size_t kSample = 4000;  // hits are enough to tell
+    constexpr float kNear = 1.0F;          // m: hits on the platform itself
+    const PointCloud& points = frame.points;
+    const Eigen::Vector3f sensor = (frame.sensor - frame.origin).cast<float>();
+    // Odd: rings come by powers of two.
+    const std::size_t step = (points.size() / kSample) | 1U;
+    double lowest = 0.0;
+    for (std::size_t i = 0; i < points.size(); i += step)
+    {
+        const float range = std::hypot(points.x[i] - sensor.x(), points.y[i] - sensor.y());
+        // False for what is not finite, too.
+        if (range > kNear)
+            lowest = std::min(lowest, static_cast<double>((points.z[i] - sensor.z()) / range));
+    }
+    return lowest;
+}
 }  // namespace
 
 RangeProfile rangeProfile(const LadarFrame& frame, const AboveGround& aboveGround)
@@ -67,6 +86,7 @@ RangeProfile rangeProfile(const LadarFrame& frame, const AboveGround& aboveGroun
         }
     }
     for (float& nearest : profile.nearest) nearest = std::sqrt(nearest);
+    profile.lowestSlope = lowestSlope(frame);
     return profile;
 }
 

@@ -192,8 +192,7 @@ VehicleState reversed(const VehicleState& state, const MotionOptions& motion)
 Track reversed(const Track& track, const MotionOptions& motion)
 {
     Track next = track;
-    next.hypotheses.moving = reversed(track.hypotheses.moving, motion);
-    next.hypotheses.steady = reversed(track.hypotheses.steady, motion);
+    for (VehicleState& state : next.hypotheses.driving) state = reversed(state, motion);
     next.hypotheses.standing = reversed(track.hypotheses.standing, motion);
     next.hypotheses.free.mean(kHeading) = wrapAngle(track.hypotheses.free.mean(kHeading) + kPi);
     next.state = next.hypotheses.combined(motion);

@@ -19,6 +19,7 @@ struct SegmentedFrame
 {
     double time = 0.0;                                 ///< s
     Eigen::Vector2d sensor = Eigen::Vector2d::Zero();  ///< m
+    double sensorZ = 0.0;                              ///< m
     std::size_t points = 0;
     std::size_t pointsAboveGround = 0;
     bool planar = false;

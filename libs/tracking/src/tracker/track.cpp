@@ -95,6 +95,7 @@ Track sightedTrack(Track track, const Sighting& sighting, double neighbours,
         { return openToGrowth(state, broughtTo(state, m, box.lag, options.motion), visibility); });
     track.jitter = jitter.after(then, box, sighting.time - track.lastSeen);
     track.hypotheses = updated(hypotheses, box, jitter, filter, options.lifecycle.nisGate);
+    if (track.sightings == 1) track.hypotheses.forEach(withUsualCurvature);
     track.lastingError = lastingError(box, jitter);
     track.told = track.told.with(m);
     track.around = inFrameOf(then.box(), sighting.around);
@@ -138,16 +139,16 @@ Track movedBy(Track track, const Eigen::Vector3d& by)
 Track predictedTrack(Track track, double dt, const Eigen::Vector2d& sensor,
                      VehicleKalmanFilter& filter, const MotionOptions& options)
 {
-    const View before = viewOf(track.hypotheses.moving.box(), track.seenFrom);
+    const View before = viewOf(track.hypotheses.driving.front().box(), track.seenFrom);
     track.hypotheses = predicted(track.hypotheses, dt, filter, options);
-    const View now = viewOf(track.hypotheses.moving.box(), sensor);
+    const View now = viewOf(track.hypotheses.driving.front().box(), sensor);
     track.hypotheses = drifted(track.hypotheses, track.lastingError, changeOfView(before, now));
     track.seenFrom = sensor;
     // Unseen, a vehicle is likelier to go straight on than to keep turning in a circle.
     constexpr double kTurnTime = 0.7;  // s
     if (track.misses > 0)
-        for (VehicleState* state : {&track.hypotheses.moving, &track.hypotheses.steady})
-            state->mean(kCurvature) *= std::exp(-dt / kTurnTime);
+        for (VehicleState& state : track.hypotheses.driving)
+            state.mean(kCurvature) *= std::exp(-dt / kTurnTime);
     track.state = track.hypotheses.combined(options);
     track.measurement.reset();
     track.nis.reset();

@@ -72,6 +72,7 @@ private:
         SegmentedFrame s;
         s.time = frame.time;
         s.sensor = (frame.sensor - frame.origin).head<2>();
+        s.sensorZ = frame.sensor.z() - frame.origin.z();
         s.points = frame.points.size();
         s.planar = frame.planar;
         enter(Stage::Ground);

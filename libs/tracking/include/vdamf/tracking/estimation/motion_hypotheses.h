@@ -2,10 +2,14 @@
 // Does it drive, and steadily, or does it stand? All at once, weighed by how well they foretell.
 //
 // A filter that must follow a car that brakes and turns gives parked cars the speed of its noise,
-// and cars that go on steadily more uncertainty than they have. Beside the moving vehicle a steady
-// and a standing one are tracked, and beside those that follow their wheels one that moves freely;
-// what is reported is their mean, weighed with their probabilities.
+// and cars that go on steadily more uncertainty than they have. Beside the vehicle that does both,
+// one that turns at its speed, a steady and a standing one are tracked, and beside those that
+// follow their wheels one that moves freely; what is reported is their mean, weighed with their
+// probabilities.
 #pragma once
+
+#include <array>
+#include <cstddef>
 
 #include "vdamf/tracking/estimation/jitter.h"
 #include "vdamf/tracking/estimation/vehicle_kalman_filter.h"
@@ -15,10 +19,11 @@ namespace vdamf
 {
 struct MotionHypotheses
 {
-    VehicleState moving;             ///< Steering::VariableAxis
-    VehicleState steady;             ///< Steering::Steady
-    double steadyProbability = 0.5;  ///< among those that follow their wheels
-    VehicleState standing;           ///< speed and curvature are zero
+    static constexpr std::size_t kWays = 3;
+    /// Follow their wheels: Steering::VariableAxis, Turning, Steady.
+    std::array<VehicleState, kWays> driving;
+    std::array<double, kWays> drivingProbability;  ///< among those, their sum is 1
+    VehicleState standing;                         ///< speed and curvature are zero
     double standingProbability = 0.5;
     VehicleState free;             ///< Steering::Independent
     double freeProbability = 0.0;  ///< among those that move; 0: not tracked
@@ -30,15 +35,16 @@ struct MotionHypotheses
     template <class Change>
     void forEach(Change&& change)
     {
-        for (VehicleState* state : {&moving, &steady, &standing, &free}) *state = change(*state);
+        for (VehicleState& state : driving) state = change(state);
+        for (VehicleState* state : {&standing, &free}) *state = change(*state);
     }
 };
 
 /// All from one state.
 MotionHypotheses hypothesesFrom(const VehicleState& state, const MotionOptions& options);
 
-/// All `dt` seconds later. What moves steadily may begin to manoeuvre, and the other way round:
-/// the two are mixed as in an interacting multiple model filter.
+/// All `dt` seconds later. What moves steadily may begin to turn or to brake, and the other way
+/// round: those are mixed as in an interacting multiple model filter.
 MotionHypotheses predicted(const MotionHypotheses& hypotheses, double dt,
                            VehicleKalmanFilter& filter, const MotionOptions& options);
 

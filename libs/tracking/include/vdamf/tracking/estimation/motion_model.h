@@ -54,8 +54,9 @@ private:
     MotionOptions options_;
 };
 
-/// Options of Steering::Steady: as for Steering::VariableAxis, with weaker changes.
-MotionOptions steadyOptions(MotionOptions options);
+/// Options of a steering that follows wheels: those of Steering::VariableAxis, with weaker changes
+/// of what it hardly changes.
+MotionOptions optionsOf(Steering steering, MotionOptions options);
 
 /// The model that a state's rows are meant for.
 std::unique_ptr<MotionModel> modelOf(Steering steering, const MotionOptions& options);

@@ -20,6 +20,10 @@ VehicleState startState(const Measurement& measurement, double height,
                         const Eigen::Vector2d& sensor, const StartSpeed& speed,
                         const VisibilityOptions& visibility, const MotionOptions& motion);
 
+/// The state of a vehicle whose speed has just become known, with what that says of its path: fast
+/// ones hardly turn (2 m/s^2 across, one sigma).
+VehicleState withUsualCurvature(const VehicleState& state);
+
 /// Which sizes of a vehicle have been seen from end to end.
 struct SizesTold
 {

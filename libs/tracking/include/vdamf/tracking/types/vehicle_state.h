@@ -15,6 +15,7 @@ using StateMatrix = Eigen::Matrix<double, 7, 7>;
 enum class Steering
 {
     VariableAxis,  ///< speed, curvature, axis offset: the vehicle follows its steered wheels
+    Turning,       ///< the same rows: it hardly changes its speed
     Steady,        ///< the same rows: it hardly changes speed and curvature
     Independent    ///< velocity by x and by y, yaw rate: moves and turns as it likes
 };
