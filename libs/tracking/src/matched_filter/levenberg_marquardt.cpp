@@ -94,10 +94,18 @@ Optimum levenbergMarquardt(const FitObjective& objective, const OrientedBox& sta
         const Step step = dampedStep(cost, best.box, damping, options);
         if (!step.move.allFinite()) break;
         const OrientedBox trial = movedWithinBounds(best.box, step.move, options);
+        if (step.move.cwiseAbs().maxCoeff() < options.tolerance)
+        {
+            // So short a step does what it foretells: another look at the hits would cost as much
+            // as the first one.
+            best.box = trial;
+            best.value -= step.gain;
+            best.converged = true;
+            break;
+        }
         const FitCost trialCost = objective.derivatives(trial);
         ++best.iterations;
         const double gain = cost.value - trialCost.value;
-        const bool small = step.move.cwiseAbs().maxCoeff() < options.tolerance;
         // Gains below the resolution say nothing of the step: it is taken, the damping stays.
         const double resolution = objective.resolution(cost.value);
         if (gain >= -resolution)
@@ -110,11 +118,6 @@ Optimum levenbergMarquardt(const FitObjective& objective, const OrientedBox& sta
         else
         {
             damping = std::max(damping * 6.0, 1e-3);
-        }
-        if (small)
-        {
-            best.converged = true;
-            break;
         }
     }
     return best;

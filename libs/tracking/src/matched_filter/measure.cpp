@@ -64,10 +64,13 @@ public:
         return fit;
     }
 
-    /// A start whose hits lie mostly in the surround would gain by leaving them altogether.
+    /// A start whose hits lie mostly in the surround would gain by leaving them altogether; one
+    /// that lies about where they are does not.
     OrientedBox betterStart(const OrientedBox& start) const
     {
+        constexpr double kAbout = 0.1;  // m
         const OrientedBox moved = movedOntoHits(start, hits_, sensor_);
+        if ((moved.centre() - start.centre()).norm() < kAbout) return start;
         const KernelHits kernel = kernelHits(hits_, start.centre());
         const auto match = [&](const OrientedBox& box)
         { return kernelResponse(kernel, widest(), box, bearingToSensor(box, sensor_)).value; };

@@ -85,7 +85,14 @@ std::optional<Course> steadyCourse(const Track& track)
         return all.distance >= kFar ||
                (all.distance >= kCourseDistance && all.duration >= kLeastTime);
     };
-    while (first > 0 && !tells()) all = courseBetween(track.path[--first], last);
+    while (first > 0 && !tells())
+    {
+        const PathPoint& from = track.path[--first];
+        // No course is longer than the way between the centres.
+        const bool mayTell = (last.box.centre() - from.box.centre()).squaredNorm() >
+                             kCourseDistance * kCourseDistance;
+        all = mayTell ? courseBetween(from, last) : Course();
+    }
     if (all.distance < kCourseDistance || all.distance < kCourseSpeed * all.duration)
         return std::nullopt;
     const PathPoint& middle = track.path[(first + track.path.size()) / 2];
@@ -231,20 +238,19 @@ HeadingCues sizeCues(const Sighting& sighting, double height)
     return cues;
 }
 
-Track withCheckedHeading(const Track& track, const Sighting& sighting, double neighbours,
+Track withCheckedHeading(Track track, const Sighting& sighting, double neighbours,
                          const TrackerOptions& options)
 {
-    Track next = track;
     HeadingCues cues = cuesOf(track, sighting);
     cues.neighbours = neighbours;
-    next.front = track.front.after(cues);
-    int quarters = dueTurn(next.front, track.sightings < kYoung);
-    if (quarters == 0) return next;
+    track.front = track.front.after(cues);
+    int quarters = dueTurn(track.front, track.sightings < kYoung);
+    if (quarters == 0) return track;
     if (quarters % 2 == 1) quarters = towardsPath(track, quarters);
-    next.front = next.front.turned(quarters);
-    next.path = turned(std::move(next.path), quarters);
-    if (quarters == 2) return reversed(next, options.motion);
-    return quarterTurned(next, sighting, quarters, options);
+    track.front = track.front.turned(quarters);
+    track.path = turned(std::move(track.path), quarters);
+    if (quarters == 2) return reversed(track, options.motion);
+    return quarterTurned(track, sighting, quarters, options);
 }
 
 }  // namespace vdamf

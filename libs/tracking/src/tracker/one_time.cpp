@@ -95,6 +95,13 @@ Cluster movedTo(double time, Cluster cluster, const TargetMotion& motion)
     }
     return cluster;
 }
+
+// A level scan line measures none; those of its hits are assumed.
+Hits withKnownHeights(Hits hits, const SegmentedFrame& frame)
+{
+    if (frame.planar) hits.heights = 0;
+    return hits;
+}
 }  // namespace
 
 TargetMotion motionOf(const VehicleState& state)
@@ -114,10 +121,14 @@ HitsAtOneTime hitsAtOneTime(const SegmentedFrame& frame, const std::vector<std::
 {
     const bool timed = std::all_of(clusters.begin(), clusters.end(),
                                    [&](std::size_t k) { return !frame.clusters[k].time.empty(); });
-    if (!timed) return {hitsOf(frame, clusters), 0.0, std::nullopt};
+    HitsAtOneTime result;
+    if (!timed)
+    {
+        result.hits = withKnownHeights(hitsOf(frame, clusters), frame);
+        return result;
+    }
     Cluster all = joinedClusters(frame, clusters);
     TimeSpan span = spanOf(all);
-    HitsAtOneTime result;
     if (span.length() > kSeamGap && motion.speedSigma * span.length() > kMostDistance)
     {
         Parts parts = splitInTime(all, span);
@@ -128,7 +139,7 @@ HitsAtOneTime hitsAtOneTime(const SegmentedFrame& frame, const std::vector<std::
     result.lag = meanTime(all);
     if (motion.velocity.norm() * span.length() > kStill)
         all = movedTo(result.lag, std::move(all), motion);
-    result.hits = projectHits(all, mergeCell);
+    result.hits = withKnownHeights(projectHits(all, mergeCell), frame);
     return result;
 }
 

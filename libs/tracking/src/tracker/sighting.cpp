@@ -17,12 +17,6 @@ namespace vdamf
 {
 namespace
 {
-// A level scan line measures none; those of its hits are assumed.
-Hits withoutHeights(Hits hits)
-{
-    hits.heights = 0;
-    return hits;
-}
 // Sum of the local ground's z below the hits, m.
 double groundSum(const Cluster& cluster)
 {
@@ -128,12 +122,23 @@ OrientedBox rectangleAround(const Hits& hits, double heading)
     const Eigen::Matrix2d axes = rotation(heading);
     Eigen::Vector2d min = Eigen::Vector2d::Constant(1e30);
     Eigen::Vector2d max = -min;
-    for (std::size_t i = 0; i < hits.size(); ++i)
-    {
-        const Eigen::Vector2d p = axes.transpose() * Eigen::Vector2d(hits.x[i], hits.y[i]);
-        min = min.cwiseMin(p);
-        max = max.cwiseMax(p);
-    }
+    inWideLanes([
+        c = axes(0, 0), s = axes(1, 0), size = hits.size(), px = hits.x.data(), py = hits.y.data(),
+        least = &min, most = &max
+    ]() __attribute__((always_inline)) {
+        double minX = 1e30, minY = 1e30, maxX = -1e30, maxY = -1e30;
+        for (std::size_t i = 0; i < size; ++i)
+        {
+            const double x = c * px[i] + s * py[i];
+            const double y = c * py[i] - s * px[i];
+            minX = x < minX ? x : minX;
+            minY = y < minY ? y : minY;
+            maxX = x > maxX ? x : maxX;
+            maxY = y > maxY ? y : maxY;
+        }
+        *least = {minX, minY};
+        *most = {maxX, maxY};
+    });
     const Eigen::Vector2d middle = axes * (0.5 * (min + max));
     return {middle.x(), middle.y(), heading, max.x() - min.x(), max.y() - min.y()};
 }
@@ -148,15 +153,18 @@ FaceRow rowAlongFace(const Hits& hits, const OrientedBox& box, const Eigen::Vect
         std::copysign(1.0, toBoxFrame(box, sensor)(axis)) * axes.col(axis);
     const Eigen::Vector2d along = axes.col(1 - axis);
     const double half = 0.5 * (axis == 0 ? box.length : box.width);
-    std::vector<RowHit> places;
-    places.reserve(hits.size());
+    std::vector<RowHit> places(hits.size());
+    std::size_t taken = 0;
     for (std::size_t i = 0; i < hits.size(); ++i)
     {
-        const Eigen::Vector2d p = Eigen::Vector2d(hits.x[i], hits.y[i]) - box.centre();
-        const double behind = half - outwards.dot(p);
-        if (behind > -kInFront && behind < kBehind)
-            places.emplace_back(along.dot(p), hits.weight[i]);
+        const double dx = hits.x[i] - box.x;
+        const double dy = hits.y[i] - box.y;
+        const double behind = half - (outwards.x() * dx + outwards.y() * dy);
+        // Written always, counted when taken: whether it is, is hard to foretell.
+        places[taken] = {along.x() * dx + along.y() * dy, hits.weight[i]};
+        taken += ((behind > -kInFront) & (behind < kBehind)) ? 1 : 0;
     }
+    places.resize(taken);
     if (hasNoGap(places)) return rowOf(places.begin(), places.end());
     std::sort(places.begin(), places.end());
     FaceRow best;
@@ -196,8 +204,7 @@ Sighting sightingOf(const SegmentedFrame& frame, const std::vector<std::size_t>&
     s.sensor = sensor;
     s.lag = seen.lag;
     s.clusters = clusters;
-    s.measurement = measureTarget(frame.planar ? withoutHeights(seen.hits) : seen.hits, sensor,
-                                  start, options, knownLengthWidth, effort);
+    s.measurement = measureTarget(seen.hits, sensor, start, options, knownLengthWidth, effort);
     Measurement& m = s.measurement;
     m.hiddenEnds = hiddenEnds(m.box, m.facesSeen, sensor, frame.profile);
     s.around = rectangleAround(seen.hits, m.box.heading);

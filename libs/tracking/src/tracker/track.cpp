@@ -144,7 +144,7 @@ Track sightedTrack(Track track, const Sighting& sighting, double neighbours,
     const Vector5d& b = box.box;
     appendToPath(track,
                  {sighting.time + sighting.lag, {b(0), b(1), b(2), b(3), b(4)}, locatedFaces(m)});
-    return withCheckedHeading(track, sighting, neighbours, options);
+    return withCheckedHeading(std::move(track), sighting, neighbours, options);
 }
 
 Track movedBy(Track track, const Eigen::Vector3d& by)

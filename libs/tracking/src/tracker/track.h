@@ -104,7 +104,7 @@ HeadingCues sizeCues(const Sighting& sighting, double height);
 
 /// The track with its front where path and sizes say it is: exchanged with the rear or turned by a
 /// quarter once the odds for that are high. `sighting` is the one that was just taken in.
-Track withCheckedHeading(const Track& track, const Sighting& sighting, double neighbours,
+Track withCheckedHeading(Track track, const Sighting& sighting, double neighbours,
                          const TrackerOptions& options);
 
 /// The track with all positions moved (m), for a frame of another origin. What it has of the last

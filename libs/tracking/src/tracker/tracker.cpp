@@ -211,8 +211,9 @@ private:
         std::vector<PlaneBounds> bounds;
         bounds.reserve(tracks_.size());
         for (const Track& track : tracks_)
-            bounds.push_back(PlaneBounds::around(track.box().centre(),
-                                                 std::max(track.box().length, track.box().width)));
+            bounds.push_back(PlaneBounds::around(
+                track.box().centre(),
+                kSameObject * std::hypot(track.box().length, track.box().width)));
         const PlaneIndex index(bounds);
         for (std::size_t j = 1; j < tracks_.size(); ++j)
         {
@@ -227,12 +228,16 @@ private:
         }
     }
 
+    static constexpr double kSameObject = 0.4;  // of the size, from the middle
+
     static bool sameObject(const Track& a, const Track& b)
     {
         const Eigen::Vector2d inA = toBoxFrame(a.box(), b.state.mean.head<2>());
         const Eigen::Vector2d inB = toBoxFrame(b.box(), a.state.mean.head<2>());
-        const auto inside = [](const Eigen::Vector2d& p, const OrientedBox& box)
-        { return std::abs(p.x()) < 0.4 * box.length && std::abs(p.y()) < 0.4 * box.width; };
+        const auto inside = [](const Eigen::Vector2d& p, const OrientedBox& box) {
+            return std::abs(p.x()) < kSameObject * box.length &&
+                   std::abs(p.y()) < kSameObject * box.width;
+        };
         return inside(inA, a.box()) || inside(inB, b.box());
     }
 

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Which frames of a track the discriminator looks at.
+#include "tracker/discriminate.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+
+namespace vdamf
+{
+namespace
+{
+// All objects score the bias.
+Discriminator always(double bias)
+{
+    DiscriminatorModel model = untrainedModel();
+    model.bias = bias;
+    DiscriminatorOptions options;
+    options.loaded = std::make_shared<const DiscriminatorModel>(model);
+    return Discriminator(options);
+}
+
+// Hits along the side of a car.
+SegmentedFrame frameWith(std::size_t hits)
+{
+    SegmentedFrame frame;
+    frame.sensor = {0.0, -10.0};
+    frame.points = 1000;
+    Cluster side;
+    for (std::size_t i = 0; i < hits; ++i)
+    {
+        side.x.push_back(4.0F * static_cast<float>(i) / static_cast<float>(hits) - 2.0F);
+        side.y.push_back(-0.9F);
+        side.z.push_back(0.5F);
+        side.height.push_back(0.5F);
+    }
+    frame.clusters.push_back(side);
+    return frame;
+}
+
+Track carAlong(std::uint64_t id)
+{
+    Measurement measurement;
+    measurement.box = {0.0, 0.0, 0.0, 4.3, 1.8};
+    Track track;
+    track.id = id;
+    track.measurement = measurement;
+    return track;
+}
+
+// After one more sighting of so many hits; whether they were looked at shows in their number.
+Track seen(Track track, const Discriminator& discriminator, std::size_t hits)
+{
+    ++track.sightings;
+    track.judgement = discriminator.judged(track, frameWith(hits), {0});
+    return track;
+}
+
+int looksIn(const Discriminator& discriminator, int sightings)
+{
+    Track track = carAlong(7);
+    int looks = 0;
+    for (int k = 0; k < sightings; ++k)
+    {
+        const std::size_t hits = 100 + static_cast<std::size_t>(k);
+        track = seen(std::move(track), discriminator, hits);
+        looks += track.judgement.hits == hits ? 1 : 0;
+    }
+    return looks;
+}
+
+TEST(Discriminate, LooksAtFewerFramesOnceItKnows)
+{
+    EXPECT_EQ(looksIn(always(0.0), 5), 5);
+    EXPECT_EQ(looksIn(always(0.0), 45), 5 + 20);
+    EXPECT_LE(looksIn(always(2.0), 45), 2 + 11);
+    EXPECT_GE(looksIn(always(2.0), 45), 1 + 10);
+    EXPECT_EQ(looksIn(always(2.0), 45), looksIn(always(-2.0), 45)) << "sure that it is none";
+}
+
+TEST(Discriminate, LooksAgainWhereMoreOrLessIsSeen)
+{
+    const Discriminator discriminator = always(2.0);
+    for (const std::size_t other : {160U, 60U})
+        for (std::uint64_t id = 0; id < 4; ++id)
+        {
+            Track track = carAlong(id);
+            for (int k = 0; k < 20; ++k) track = seen(std::move(track), discriminator, 100);
+            EXPECT_EQ(seen(track, discriminator, other).judgement.hits, other);
+        }
+}
+
+TEST(Discriminate, TakesWhatItDoesNotLookAtToSayTheSame)
+{
+    const Discriminator discriminator = always(0.7);
+    Track track = carAlong(3);
+    VehicleEvidence evidence;
+    for (int k = 0; k < 30; ++k)
+    {
+        track = seen(std::move(track), discriminator, 100);
+        evidence = withFrame(evidence, 0.7, TrackCalibration(), 0.0);
+    }
+    EXPECT_NEAR(track.judgement.evidence.sum, evidence.sum, 1e-9);
+    EXPECT_NEAR(track.judgement.evidence.frames, evidence.frames, 1e-9);
+}
+}  // namespace
+}  // namespace vdamf
