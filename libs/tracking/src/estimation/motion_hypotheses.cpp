@@ -13,12 +13,13 @@ namespace vdamf
 namespace
 {
 constexpr double kRestTime = 1.6;  // s, in which vehicles that stand may start, or stop
-// Vehicles hold their speed for 6 s and change it for 2 s in the mean, and their steering as well,
-// apart from each other. So from one way to another, 1/s; those that do both may end up either way.
-constexpr double kBegins = 1.0 / 6.0;
-constexpr double kEnds = 1.0 / 2.0;
+// Vehicles hold their speed for so long (s) in the mean, and change it for as long, and their
+// steering as well, apart from each other. So from one way to another, 1/s; what does both may end
+// up either way.
+constexpr double kHolds = 4.0;
+constexpr double kChanges = 1.0 / kHolds;
 constexpr double kRates[MotionHypotheses::kWays][MotionHypotheses::kWays] = {
-    {0.0, 0.5 * kEnds, 0.5 * kEnds}, {kBegins, 0.0, kEnds}, {kBegins, kBegins, 0.0}};
+    {0.0, 0.5 * kChanges, 0.5 * kChanges}, {kChanges, 0.0, kChanges}, {kChanges, kChanges, 0.0}};
 // At the start, as much for what foretells sharply as for what does not.
 constexpr std::array<double, MotionHypotheses::kWays> kAtStart{0.5, 0.25, 0.25};
 constexpr std::array<Steering, MotionHypotheses::kWays> kSteerings{
