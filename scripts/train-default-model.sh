@@ -63,7 +63,7 @@ simulate line_scanner_3 "$root/datasets/scenarios/two_wheelers_and_people.ini" \
 record line_scanner_3 "scene = two_wheelers_and_people"
 
 number=0
-for round in $(seq 8); do
+for round in $(seq 11); do
     for sensor in HDL-32E HDL-64E VLP-16; do
         number=$((number + 1))
         name=street_${number}_$sensor
@@ -75,7 +75,7 @@ for round in $(seq 8); do
 done
 
 number=100
-for round in $(seq 7); do
+for round in $(seq 9); do
     for sensor in HDL-64E HDL-32E VLP-16; do
         number=$((number + 1))
         name=green_${number}_$sensor
@@ -112,5 +112,5 @@ else
 fi
 
 [[ " ${options[*]-} " == *" --cost "* ]] || options+=(--cost 0.02)
-[[ " ${options[*]-} " == *" --frames-per-track "* ]] || options+=(--frames-per-track 12)
+[[ " ${options[*]-} " == *" --frames-per-track "* ]] || options+=(--frames-per-track 10)
 "$apps/vdamf-train" classifier "$list" -o "$model" --overwrite "${options[@]}"

@@ -89,7 +89,7 @@ TEST(FilterFile, NamesLineAndKeyOfWhatItRefuses)
     EXPECT_THAT(refusalOf(replaced(text, "far_side =", "far_site =")), HasSubstr("far_side"));
     EXPECT_THAT(refusalOf(replaced(text, "[filter any]", "[filter bike]")), HasSubstr("bike"));
     EXPECT_THAT(refusalOf(replaced(text, "[filter truck]", "[filter any]")), HasSubstr("any"));
-    EXPECT_THAT(refusalOf("vdamf discriminator 2\n"), HasSubstr("f.txt"));
+    EXPECT_THAT(refusalOf("vdamf discriminator 3\n"), HasSubstr("f.txt"));
     EXPECT_THAT(refusalOf(""), HasSubstr("these are no filters"));
 }
 

@@ -217,7 +217,8 @@ TEST(Features, OfFewerHitsOfTheSameSurfaceAreAlike)
     Scene sparse = dense;
     const auto keepThird = [](std::vector<float>& v)
     {
-        for (std::size_t i = 0; 3 * i + 1 < v.size(); ++i) v[i] = v[3 * i + (i % 2)];
+        // As many of the side and of the end as there were.
+        for (std::size_t i = 0; 3 * i + 2 < v.size(); ++i) v[i] = v[3 * i + (i % 3)];
         v.resize(v.size() / 3);
     };
     for (auto* v :

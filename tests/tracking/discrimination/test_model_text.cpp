@@ -77,8 +77,9 @@ TEST(ModelText, MayHaveCarriageReturns)
 TEST(ModelText, CutAnywhereIsRefused)
 {
     const std::string text = toText(exampleModel());
-    // Without the last line feed it is whole.
-    for (std::size_t length = 0; length + 1 < text.size(); length += 13)
+    // Without the last line feed it is whole. Behind the head all lines are alike.
+    constexpr std::size_t kHead = 600;
+    for (std::size_t length = 0; length + 1 < text.size(); length += length < kHead ? 7 : 4001)
         EXPECT_THAT(errorOf(text.substr(0, length)), HasSubstr("m.txt:")) << length;
     EXPECT_THAT(errorOf(text.substr(0, text.size() / 2)), HasSubstr("m.txt:"));
     EXPECT_THAT(errorOf(""), HasSubstr("m.txt:1: the model ends here"));
@@ -87,10 +88,10 @@ TEST(ModelText, CutAnywhereIsRefused)
 TEST(ModelText, OfAnotherVersionIsRefused)
 {
     const std::string text = toText(exampleModel());
-    for (const char* other : {"discriminator 1", "discriminator 3", "discriminator 22"})
-        EXPECT_THAT(errorOf(replaced(text, "discriminator 2", other)),
+    for (const char* other : {"discriminator 2", "discriminator 4", "discriminator 33"})
+        EXPECT_THAT(errorOf(replaced(text, "discriminator 3", other)),
                     AllOf(HasSubstr("m.txt:1:"), HasSubstr(other), HasSubstr("another version"),
-                          HasSubstr("expected 'vdamf discriminator 2'"),
+                          HasSubstr("expected 'vdamf discriminator 3'"),
                           HasSubstr("train the model again")));
     EXPECT_THAT(errorOf("[ground]\n" + text), HasSubstr("no discriminator"));
 }

@@ -205,6 +205,8 @@ Descriptors describe(const CanonicalHits& hits, const ObjectView& view)
     d.columns = columnsOf(hits);
     countOutside(d, hits, view.box);
     d.silhouette = silhouetteOf(hits, view.planar);
+    d.flatness = flatnessOf(hits);
+    if (!view.planar) d.profile = heightProfileOf(hits);
     d.lowWidth = widthOf(hits, 0.0F, kWindows);
     d.highWidth = widthOf(hits, kWindows, std::numeric_limits<float>::infinity());
     d.density = densityOf(d, hits, view);

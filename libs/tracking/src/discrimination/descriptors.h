@@ -4,6 +4,8 @@
 
 #include <optional>
 
+#include "discrimination/flatness.h"
+#include "discrimination/profile.h"
 #include "discrimination/silhouette.h"
 #include "vdamf/tracking/discrimination/canonical_frame.h"
 
@@ -39,6 +41,8 @@ struct Descriptors
     std::optional<double> lowWidth;
     std::optional<double> highWidth;
     Silhouette silhouette;
+    Flatness flatness;
+    HeightProfile profile;
 };
 
 /// Of at least one hit.

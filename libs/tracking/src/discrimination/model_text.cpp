@@ -13,7 +13,7 @@ namespace vdamf
 {
 namespace
 {
-constexpr const char* kFirstLine = "vdamf discriminator 2";
+constexpr const char* kFirstLine = "vdamf discriminator 3";
 constexpr int kMostCells = 200;   // along one axis
 constexpr double kLargest = 1e6;  // so that no score overflows
 
