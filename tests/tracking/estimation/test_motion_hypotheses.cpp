@@ -181,8 +181,8 @@ TEST(MotionHypotheses, SurprisesAreMetHalfwayByWhatMayMove)
     m.covariance.diagonal() << 0.04, 0.04, 1e-4, 0.01, 0.01;
     const MotionHypotheses h =
         updated(hypothesesFrom(state, options), m, JitterShares(), filter, 11.34);
-    EXPECT_NEAR(h.moving.mean(kX), 2.0, 0.3);
-    EXPECT_GT(h.moving.covariance(kX, kX), 0.2);
+    EXPECT_NEAR(h.driving.front().mean(kX), 2.0, 0.3);
+    EXPECT_GT(h.driving.front().covariance(kX, kX), 0.2);
     EXPECT_LT(h.standing.mean(kX), 0.5);
 }
 
