@@ -53,9 +53,9 @@ MotionHypotheses predicted(const MotionHypotheses& hypotheses, double dt,
 MotionHypotheses drifted(const MotionHypotheses& hypotheses, const Eigen::Matrix3d& lastingError,
                          double viewChange);
 
-/// All after a measurement, of whose variance a share is jitter. One whose NIS is above `nisGate`
-/// counts less instead of losing the track. A standing hypothesis that was refuted starts again
-/// where the vehicle is.
+/// All after a measurement, of whose variance a share is jitter. Where its NIS is above `nisGate`,
+/// both it and what may move are that much less certain, and of what stands it alone. A standing
+/// hypothesis that was refuted starts again where the vehicle is.
 MotionHypotheses updated(const MotionHypotheses& hypotheses, const BoxMeasurement& measurement,
                          const JitterShares& jitter, VehicleKalmanFilter& filter, double nisGate);
 
