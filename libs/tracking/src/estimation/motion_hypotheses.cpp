@@ -6,6 +6,7 @@
 #include <numeric>
 #include <vector>
 
+#include "estimation/mixed.h"
 #include "estimation/surprise.h"
 
 namespace vdamf
@@ -48,21 +49,6 @@ VehicleState standingLater(const VehicleState& state, double dt, const MotionOpt
     const StateMatrix noise = processNoise(state.mean, dt, options);
     for (const int row : {kX, kY, kHeading, kLength}) later.covariance(row, row) += noise(row, row);
     return later;
-}
-
-// `other` with probability p; steering as of the first one.
-VehicleState mixed(const VehicleState& one, const VehicleState& other, double p)
-{
-    StateVector between = other.mean - one.mean;
-    between(kHeading) = wrapAngle(between(kHeading));
-    VehicleState state = one;
-    state.mean = one.mean + p * between;
-    state.mean(kHeading) = wrapAngle(state.mean(kHeading));
-    state.covariance = (1.0 - p) * one.covariance + p * other.covariance +
-                       p * (1.0 - p) * between * between.transpose();
-    state.width = (1.0 - p) * one.width + p * other.width;
-    state.widthVariance = (1.0 - p) * one.widthVariance + p * other.widthVariance;
-    return state;
 }
 
 // Least and greatest probability stand for none and one: a mean must not lose a share of speed.

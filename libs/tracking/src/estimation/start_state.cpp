@@ -9,7 +9,7 @@ namespace vdamf
 {
 namespace
 {
-constexpr double kCarEnd = 1.3;     // m, the narrowest
+constexpr double kCarEnd = 1.3;  // m, the narrowest
 // Hits tell widths to a decimetre or two: what is higher than any car may be narrower.
 constexpr double kTallest = 2.5;  // m
 

@@ -6,8 +6,8 @@
 #include <limits>
 #include <stdexcept>
 
-#include "association/plane_index.h"
 #include "tracker/discriminate.h"
+#include "tracker/duplicates.h"
 #include "tracker/existence.h"
 #include "tracker/neighbourhood.h"
 #include "tracker/new_sightings.h"
@@ -36,7 +36,8 @@ public:
     {
         if (!std::isfinite(frame.time) || (time_ && frame.time <= *time_))
             throw std::invalid_argument("frames must come in order of time");
-        SegmentedFrame segmented = segment(frame);
+        const FieldOfView view(frame);
+        SegmentedFrame segmented = segment(frame, view);
         enter(Stage::Prediction);
         predictTracks(frame);
         enter(Stage::Association);
@@ -46,13 +47,12 @@ public:
         enter(Stage::Measurement);
         const auto sightings = measureTracks(segmented, assignment);
         enter(Stage::Update);
-        updateTracks({frame.time, segmented.sensor, segmented.profile, FieldOfView(frame)},
-                     sightings);
+        updateTracks({frame.time, segmented.sensor, segmented.profile, view}, sightings);
         enter(Stage::NewTracks);
         assignment = startTracks(segmented, std::move(assignment));
         enter(Stage::Discrimination);
         judgeTracks(segmented, assignment);
-        removeDuplicates();
+        tracks_ = withDuplicatesEnded(std::move(tracks_));
         FrameResult result = reportFrame(frame, segmented);
         removeEnded();
         if (observer_) observer_(nullptr);
@@ -67,7 +67,7 @@ private:
         if (observer_) observer_(&stage);
     }
 
-    SegmentedFrame segment(const LadarFrame& frame)
+    SegmentedFrame segment(const LadarFrame& frame, const FieldOfView& view)
     {
         SegmentedFrame s;
         s.time = frame.time;
@@ -81,7 +81,7 @@ private:
         enter(Stage::Clustering);
         s.profile = rangeProfile(frame, above);
         // A level scan does not tell where it looks and hits nothing.
-        if (!frame.planar) s.profile = withinView(std::move(s.profile), FieldOfView(frame));
+        if (!frame.planar) s.profile = withinView(std::move(s.profile), view);
         s.clusters = clusterPoints(frame, above, options_.clustering);
         s.hits.resize(s.clusters.size());
         workers_.forEach(
@@ -203,42 +203,6 @@ private:
         workers_.forEach(
             tracks_.size(), [&](std::size_t j, std::size_t)
             { tracks_[j].judgement = discriminator_.judged(tracks_[j], frame, assignment[j]); });
-    }
-
-    // Two tracks on one object: the older one stays.
-    void removeDuplicates()
-    {
-        std::vector<PlaneBounds> bounds;
-        bounds.reserve(tracks_.size());
-        for (const Track& track : tracks_)
-            bounds.push_back(PlaneBounds::around(
-                track.box().centre(),
-                kSameObject * std::hypot(track.box().length, track.box().width)));
-        const PlaneIndex index(bounds);
-        for (std::size_t j = 1; j < tracks_.size(); ++j)
-        {
-            for (const std::size_t k : index.overlapping(bounds[j]))
-            {
-                if (k >= j || tracks_[j].status == TrackStatus::Ended) break;
-                if (tracks_[k].status == TrackStatus::Ended || !sameObject(tracks_[k], tracks_[j]))
-                    continue;
-                const bool keepOlder = tracks_[k].misses <= tracks_[j].misses;
-                (keepOlder ? tracks_[j] : tracks_[k]).status = TrackStatus::Ended;
-            }
-        }
-    }
-
-    static constexpr double kSameObject = 0.4;  // of the size, from the middle
-
-    static bool sameObject(const Track& a, const Track& b)
-    {
-        const Eigen::Vector2d inA = toBoxFrame(a.box(), b.state.mean.head<2>());
-        const Eigen::Vector2d inB = toBoxFrame(b.box(), a.state.mean.head<2>());
-        const auto inside = [](const Eigen::Vector2d& p, const OrientedBox& box) {
-            return std::abs(p.x()) < kSameObject * box.length &&
-                   std::abs(p.y()) < kSameObject * box.width;
-        };
-        return inside(inA, a.box()) || inside(inB, b.box());
     }
 
     FrameResult reportFrame(const LadarFrame& frame, const SegmentedFrame& segmented) const

@@ -2,33 +2,14 @@
 // The extended Kalman filter of section 2, on MRPT's template.
 #pragma once
 
-#include <Eigen/Core>
 #include <memory>
 
+#include "vdamf/tracking/estimation/box_measurement.h"
 #include "vdamf/tracking/estimation/motion_model.h"
-#include "vdamf/tracking/types/track.h"
 #include "vdamf/tracking/types/vehicle_state.h"
 
 namespace vdamf
 {
-/// A measured box (x, y of the centre, heading, length, width) with its covariance: world, m and
-/// rad. What it does not tell has a large variance.
-struct BoxMeasurement
-{
-    Vector5d box = Vector5d::Zero();
-    Matrix5d covariance = Matrix5d::Zero();
-    /// The point of the box that it holds best: +-1 at the faces, 0 in the middle, along the length
-    /// and the width.
-    Eigen::Vector2d fixedPoint = Eigen::Vector2d::Zero();
-    /// It holds this much later than the state that it is held against, s: a turning scanner sees
-    /// each target at a time of its own.
-    double lag = 0.0;
-};
-
-/// The measurement after another source's word on one of its rows.
-BoxMeasurement withKnown(const BoxMeasurement& measurement, Eigen::Index row, double value,
-                         double variance);
-
 /// mrpt::bayes::CKalmanFilterCapable (kfEKFNaive, the only one of its methods that is right) with
 /// the motion model that a state is meant for. One object serves all tracks: MRPT's filter is 600
 /// kB large and cannot be copied, so it is loaded with a track's Gaussian, updated and read.
@@ -52,16 +33,5 @@ private:
     class Engine;
     std::unique_ptr<Engine> engine_;
 };
-
-/// How a measurement sits with a predicted state, judged by what it tells best: place of its fixed
-/// point and heading, 3 degrees of freedom. The state is that at the measurement's own time.
-struct Innovation
-{
-    Eigen::Vector3d value = Eigen::Vector3d::Zero();  ///< heading wrapped
-    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-
-    double nis() const;  ///< normalised innovation squared
-};
-Innovation innovationOf(const VehicleState& state, const BoxMeasurement& measurement);
 
 }  // namespace vdamf

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Several tracks on one object.
+#pragma once
+
+#include <vector>
+
+#include "tracker/track.h"
+
+namespace vdamf
+{
+/// The same tracks; of two on one object the older one stays, unless it was lost from sight for
+/// longer, and the other one is ended.
+std::vector<Track> withDuplicatesEnded(std::vector<Track> tracks);
+
+}  // namespace vdamf

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tracker/duplicates.h"
+
+#include <gtest/gtest.h>
+
+namespace vdamf
+{
+namespace
+{
+Track trackAt(std::uint64_t id, double x, int misses = 0)
+{
+    Track track;
+    track.id = id;
+    track.status = TrackStatus::Confirmed;
+    track.misses = misses;
+    track.state.mean << x, 0.0, 0.0, 0.0, 0.0, 1.2, 4.5;
+    track.state.width = 1.8;
+    return track;
+}
+
+std::vector<std::uint64_t> goingOn(std::vector<Track> tracks)
+{
+    std::vector<std::uint64_t> ids;
+    for (const Track& track : withDuplicatesEnded(std::move(tracks)))
+        if (track.status != TrackStatus::Ended) ids.push_back(track.id);
+    return ids;
+}
+
+using Ids = std::vector<std::uint64_t>;
+
+TEST(Duplicates, TheOlderTrackGoesOn)
+{
+    EXPECT_EQ(goingOn({trackAt(1, 10.0), trackAt(2, 11.0)}), (Ids{1}));
+    EXPECT_EQ(goingOn({trackAt(1, 10.0, 1), trackAt(2, 11.0, 1)}), (Ids{1}));
+}
+
+TEST(Duplicates, UnlessItIsTheOneThatWasLost)
+{
+    EXPECT_EQ(goingOn({trackAt(1, 10.0, 2), trackAt(2, 11.0)}), (Ids{2}));
+}
+
+TEST(Duplicates, CarsBumperToBumperAreTwo)
+{
+    EXPECT_EQ(goingOn({trackAt(1, 10.0), trackAt(2, 14.6)}), (Ids{1, 2}));
+}
+
+TEST(Duplicates, AnEndedTrackEndsNoOther)
+{
+    Track ended = trackAt(1, 10.0);
+    ended.status = TrackStatus::Ended;
+    EXPECT_EQ(goingOn({ended, trackAt(2, 10.0)}), (Ids{2}));
+    EXPECT_EQ(goingOn({trackAt(1, 10.0), trackAt(2, 11.0), trackAt(3, 12.4)}), (Ids{1, 3}))
+        << "the second one is on both, but ended by the first";
+    EXPECT_EQ(goingOn({}), Ids{});
+}
+
+}  // namespace
+}  // namespace vdamf
