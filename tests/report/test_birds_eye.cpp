@@ -77,5 +77,19 @@ TEST(BirdsEye, LeavesOutWhatIsNotPublished)
     EXPECT_EQ(count(BirdsEye().svg(), "<polygon"), 0U);
 }
 
+TEST(BirdsEye, KeepsClutterInTheBackground)
+{
+    BirdsEye picture;
+    FrameResult result;
+    result.tracks = {trackAt(5020.0, TrackStatus::Confirmed)};
+    result.tracks[0].isVehicle = false;
+    picture.add(frameAt(0.0), result);
+    EXPECT_EQ(count(picture.svg(), "<polygon"), 1U);
+    EXPECT_THAT(picture.svg(), Not(HasSubstr("m/s")));
+    result.tracks[0].isVehicle = true;
+    picture.add(frameAt(0.1), result);
+    EXPECT_THAT(picture.svg(), HasSubstr(">7 8.0 m/s<"));
+}
+
 }  // namespace
 }  // namespace vdamf

@@ -95,6 +95,14 @@ std::string BirdsEye::pointsSvg() const
     return svg;
 }
 
+std::string BirdsEye::outlineSvg(const OrientedBox& box) const
+{
+    std::string points;
+    for (const Eigen::Vector2d& corner : corners(box))
+        points += format("%.1f,%.1f ", pixel(corner).x(), pixel(corner).y());
+    return points;
+}
+
 std::string BirdsEye::tracksSvg() const
 {
     std::string svg;
@@ -103,6 +111,12 @@ std::string BirdsEye::tracksSvg() const
         if (track.status != TrackStatus::Confirmed && track.status != TrackStatus::Coasting)
             continue;
         if (!visible(track.box.centre(), 5.0)) continue;
+        if (track.isVehicle == false)
+        {
+            svg += "<polygon fill=\"none\" stroke=\"#55636f\" points=\"" + outlineSvg(track.box) +
+                   "\"/>\n";
+            continue;
+        }
         const std::string colour = colourOf(track.id);
         const auto trail = trails_.find(track.id);
         if (trail != trails_.end() && trail->second.size() > 1)
@@ -116,10 +130,7 @@ std::string BirdsEye::tracksSvg() const
         svg += "<polygon fill=\"" + colour + "\" fill-opacity=\"0.15\" stroke=\"" + colour +
                "\" stroke-width=\"2\"" +
                (track.status == TrackStatus::Coasting ? " stroke-dasharray=\"5 4\"" : "") +
-               " points=\"";
-        for (const Eigen::Vector2d& corner : corners(track.box))
-            svg += format("%.1f,%.1f ", pixel(corner).x(), pixel(corner).y());
-        svg += "\"/>\n";
+               " points=\"" + outlineSvg(track.box) + "\"/>\n";
         // A line over the front, and how far it gets in a second.
         const Eigen::Vector2d ahead = rotation(track.box.heading) * Eigen::Vector2d::UnitX();
         const Eigen::Vector2d front = track.box.centre() + 0.5 * track.box.length * ahead;

@@ -22,7 +22,8 @@ struct BirdsEyeOptions
     double trailSeconds = 4.0;
 };
 
-/// Follows a run and draws its latest frame as SVG. North is up.
+/// Follows a run and draws its latest frame as SVG. North is up. What the discriminator takes for
+/// clutter has a thin grey box alone.
 class BirdsEye
 {
 public:
@@ -42,6 +43,7 @@ private:
 
     std::string pointsSvg() const;
     std::string tracksSvg() const;
+    std::string outlineSvg(const OrientedBox& box) const;
     Eigen::Vector2d pixel(const Eigen::Vector2d& world) const;
     bool visible(const Eigen::Vector2d& world, double margin) const;
 
