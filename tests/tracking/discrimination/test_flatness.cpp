@@ -6,7 +6,7 @@
 #include <random>
 
 #include "discrimination/flatness.h"
-#include "discrimination/profile.h"
+#include "discrimination/height_profile.h"
 
 namespace vdamf
 {

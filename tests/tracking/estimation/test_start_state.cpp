@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a new vehicle's speed says of its path.
+// What is known of a vehicle that was seen once, and what its speed says of its path.
 #include "vdamf/tracking/estimation/start_state.h"
 
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 namespace vdamf
 {
@@ -38,6 +40,45 @@ TEST(StartState, WhatIsSlowMayTurn)
     VehicleState free = seenTwice(20.0);
     free.steering = Steering::Independent;
     EXPECT_EQ(withUsualCurvature(free).mean, free.mean);
+}
+
+Measurement rearOf(double width)
+{
+    Measurement m;
+    m.box = {20.0, 0.0, 0.0, 1.0, width};
+    m.covariance = (Vector5d() << 1e-4, 1e-4, 1e-5, 1e-3, 1e-3).finished().asDiagonal();
+    m.facesSeen.add(Face::Back);
+    m.hits = 60;
+    return m;
+}
+
+double lengthBehind(double width, double height)
+{
+    return startState(rearOf(width), height, {0.0, 0.0}, {}, {}, {}).mean(kLength);
+}
+
+TEST(StartState, WhatIsHigherThanAnyCarIsATruckThoughItSeemsNarrow)
+{
+    EXPECT_NEAR(lengthBehind(2.2, 1.6), VisibilityOptions().carLength, 0.2);
+    EXPECT_GT(lengthBehind(2.2, 3.0), 7.0);
+    EXPECT_GT(lengthBehind(2.45, 2.2), 7.0);
+    EXPECT_LT(lengthBehind(1.9, 3.0), 6.0) << "a van";
+}
+
+// A slice of something between two others: it may go on behind them.
+TEST(StartState, OfASliceTheLengthIsAsOpenAsAVehicles)
+{
+    Measurement slice = rearOf(0.6);
+    slice.hiddenEnds.add(Face::Left);
+    slice.hiddenEnds.add(Face::Right);
+    const VehicleState state = startState(slice, 1.5, {0.0, 0.0}, {}, {}, {});
+    EXPECT_GT(std::sqrt(state.covariance(kLength, kLength)), 1.2);
+    EXPECT_LT(std::sqrt(state.widthVariance), 0.8);
+    // The place of the end that is seen is known all the same.
+    StateVector rear = StateVector::Zero();
+    rear(kX) = 1.0;
+    rear(kLength) = -0.5;
+    EXPECT_LT(rear.dot(state.covariance * rear), 0.1 * 0.1);
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "discrimination/flatness.h"
-#include "discrimination/profile.h"
+#include "discrimination/height_profile.h"
 #include "discrimination/silhouette.h"
 #include "vdamf/tracking/discrimination/canonical_frame.h"
 

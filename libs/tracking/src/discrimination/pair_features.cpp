@@ -66,6 +66,7 @@ std::optional<KnotPlace> placeIn(const DescriptorNumber& number, const Descripto
     if (!value) return std::nullopt;
     return placeOf(number.knots, *value);
 }
+
 // Calls each(first, rowSize, a, b) for the pairs of the descriptors that an object has: the feature
 // of the two lower knots, knots of the second one, shares of the upper knots of both.
 template <class Each>

@@ -75,6 +75,7 @@ Step dampedStep(const FitCost& cost, const OrientedBox& box, double damping, con
     step /= excess;
     return {move / excess, -(g.dot(step) + 0.5 * step.dot(h * step))};
 }
+
 // After a step that was taken: by how much of the predicted gain was had.
 double nextDamping(double damping, double gainRatio)
 {
@@ -89,6 +90,7 @@ Optimum levenbergMarquardt(const FitObjective& objective, const OrientedBox& sta
     FitCost cost = objective.derivatives(start);
     Optimum best{start, cost.value, 1, false};
     double damping = 1e-2;
+    bool isForetold = true;  // what the last step did
     while (best.iterations < options.maxIterations)
     {
         const Step step = dampedStep(cost, best.box, damping, options);
@@ -96,10 +98,13 @@ Optimum levenbergMarquardt(const FitObjective& objective, const OrientedBox& sta
         const OrientedBox trial = movedWithinBounds(best.box, step.move, options);
         if (step.move.cwiseAbs().maxCoeff() < options.tolerance)
         {
-            // So short a step does what it foretells: another look at the hits would cost as much
-            // as the first one.
-            best.box = trial;
-            best.value -= step.gain;
+            // Within the tolerance a step does what it foretells, unless the last one did not:
+            // another look at the hits would cost as much as the first one.
+            if (isForetold)
+            {
+                best.box = trial;
+                best.value -= step.gain;
+            }
             best.converged = true;
             break;
         }
@@ -108,7 +113,8 @@ Optimum levenbergMarquardt(const FitObjective& objective, const OrientedBox& sta
         const double gain = cost.value - trialCost.value;
         // Gains below the resolution say nothing of the step: it is taken, the damping stays.
         const double resolution = objective.resolution(cost.value);
-        if (gain >= -resolution)
+        isForetold = gain >= -resolution;
+        if (isForetold)
         {
             best.box = trial;
             best.value = trialCost.value;

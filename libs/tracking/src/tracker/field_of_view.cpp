@@ -11,6 +11,7 @@ namespace vdamf
 {
 namespace
 {
+constexpr std::size_t kLeastGap = 4;   // sectors that the sensor does not look at
 constexpr std::size_t kSample = 4000;  // hits are enough to tell
 
 // By the share of a turn from bearing -pi on.
@@ -26,7 +27,8 @@ FieldOfView::FieldOfView(const LadarFrame& frame)
     const Eigen::Vector2f sensor = (frame.sensor - frame.origin).head<2>().cast<float>();
     first_.fill(1.0F);
     last_.fill(0.0F);
-    const std::size_t step = 1 + points.size() / kSample;
+    // Odd: rings come by powers of two.
+    const std::size_t step = (points.size() / kSample) | 1U;
     for (std::size_t i = 0; i < points.size(); i += step)
     {
         const float x = points.x[i] - sensor.x();
@@ -38,6 +40,20 @@ FieldOfView::FieldOfView(const LadarFrame& frame)
         seen_.set(sector);
         first_[sector] = std::min(first_[sector], turn);
         last_[sector] = std::max(last_[sector], turn);
+    }
+    // Narrow gaps are where nothing was hit.
+    const auto emptyFrom = [this](std::size_t sector)
+    {
+        std::size_t count = 0;
+        while (count < kSectors && !seen_.test((sector + count) % kSectors)) ++count;
+        return count;
+    };
+    for (std::size_t sector = 0; sector < kSectors; ++sector)
+    {
+        if (!seen_.test(sector)) continue;
+        const std::size_t gap = emptyFrom((sector + 1) % kSectors);
+        for (std::size_t k = 1; gap < kLeastGap && k <= gap; ++k)
+            seen_.set((sector + k) % kSectors);
     }
 }
 

@@ -78,6 +78,7 @@ FaceRow rowOf(std::vector<RowHit>::iterator begin, std::vector<RowHit>::iterator
     for (auto hit = begin; hit != end; ++hit) row.hits += hit->second;
     return row;
 }
+
 // Beside a row along the side, an end that is seen above its bonnet or boot only tells no place.
 Measurement withoutEndsBelowView(const Measurement& measurement, const Eigen::Vector2d& sensor,
                                  double sensorHeight, const RangeProfile& profile)

@@ -39,7 +39,8 @@ Measurement broughtTo(const VehicleState& state, const Measurement& measurement,
     m.box.heading = wrapAngle(m.box.heading - move(kHeading));
     return m;
 }
-// Whether all of some hits, in the frame of a box, lie on another one, grown by a margin (m).
+
+// Whether the box around some hits lies on another one, grown by a margin (m).
 bool isWithin(const OrientedBox& hits, const OrientedBox& box, double margin)
 {
     for (const Eigen::Vector2d& corner : corners(hits))

@@ -42,7 +42,7 @@ struct Track
     std::uint64_t id = 0;
     TrackStatus status = TrackStatus::Tentative;
     MotionHypotheses hypotheses;
-    VehicleState state;  ///< both together
+    VehicleState state;  ///< mean of the hypotheses
     JitterShares jitter;
     Eigen::Matrix3d lastingError =
         Eigen::Matrix3d::Zero();                         ///< of the last sighting: x, y, heading

@@ -22,8 +22,8 @@ struct MotionHypotheses
     static constexpr std::size_t kWays = 3;
     /// Follow their wheels: Steering::VariableAxis, Turning, Steady.
     std::array<VehicleState, kWays> driving;
-    std::array<double, kWays> drivingProbability;  ///< among those, their sum is 1
-    VehicleState standing;                         ///< speed and curvature are zero
+    std::array<double, kWays> drivingProbability{};  ///< among those, their sum is 1
+    VehicleState standing;                           ///< speed and curvature are zero
     double standingProbability = 0.5;
     VehicleState free;             ///< Steering::Independent
     double freeProbability = 0.0;  ///< among those that move; 0: not tracked

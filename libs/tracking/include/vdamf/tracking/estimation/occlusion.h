@@ -11,9 +11,7 @@ namespace vdamf
 /// Faces of the box whose place the frame does not show: the row of hits along the neighbouring
 /// face ends there, but the line of sight just beyond that end is blocked by something nearer, or
 /// meets the row at such a grazing angle that its hits lie too far apart to tell its end. A face
-/// that is seen itself is never among them, nor are the ends of rows shorter than 6 m: there the
-/// memory of sizes tells a loss of visibility, while a long row (a wall behind parked cars) would
-/// seem to move with what hides it. Box and sensor share their frame, m.
+/// that is seen itself is never among them. Box and sensor share their frame, m.
 FaceSet hiddenEnds(const OrientedBox& box, FaceSet seen, const Eigen::Vector2d& sensor,
                    const RangeProfile& profile);
 

@@ -42,7 +42,9 @@ struct MotionOptions
         field(self.lateralJerk, "lateral_jerk_mps3", 0.01, 50.0,
               "steering at high speed: the curvature rate is this over speed^2");
         field(self.steadyShare, "steady_share", 0.001, 1.0,
-              "what is left of acceleration and steering while a vehicle goes on steadily");
+              "what is left of acceleration while a vehicle holds its speed, and of steering while "
+              "it "
+              "keeps its course");
         field(self.slipSigma, "slip_sigma", 0.0, 1.0, "side slip and model error, m / sqrt(s)");
         field(self.headingSigma, "heading_sigma_deg", 0.0, 30.0,
               "model error of the heading, deg / sqrt(s)");

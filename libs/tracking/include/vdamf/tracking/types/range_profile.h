@@ -8,7 +8,7 @@
 namespace vdamf
 {
 /// Range in the plane of the nearest hit above ground in each of equal sectors, from bearing -pi
-/// counter-clockwise; infinite where there is none.
+/// counter-clockwise; infinite where there is none, zero where the sensor does not look.
 struct RangeProfile
 {
     std::vector<float> nearest;  ///< m

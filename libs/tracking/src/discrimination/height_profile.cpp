@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "discrimination/profile.h"
+#include "discrimination/height_profile.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the last hits of a parked car say that goes out of sight.
+#include <gtest/gtest.h>
+
+#include "tracker/sighting.h"
+#include "tracker/track.h"
+
+namespace vdamf
+{
+namespace
+{
+// Of a car 10 m ahead, its left side and rear in view.
+Sighting wholeAt(double time)
+{
+    Sighting s;
+    s.time = time;
+    s.measurement.box = {12.0, -4.0, 0.0, 4.4, 1.8};
+    s.measurement.covariance = (Vector5d() << 1e-3, 1e-3, 1e-5, 1e-3, 1e-3).finished().asDiagonal();
+    s.measurement.facesSeen.add(Face::Back);
+    s.measurement.facesSeen.add(Face::Left);
+    s.measurement.hits = 200;
+    s.measurement.match = 0.5;
+    s.around = s.measurement.box;
+    s.height = 1.5;
+    s.side = {4.4, 150.0};
+    s.end = {1.8, 50.0};
+    return s;
+}
+
+// Half a metre of its side, taken for a box of its own.
+Sighting glimpseAt(double time)
+{
+    Sighting s = wholeAt(time);
+    s.measurement.box = {13.6, -3.3, 0.2, 4.4, 1.8};
+    s.measurement.facesSeen = {};
+    s.measurement.facesSeen.add(Face::Left);
+    s.measurement.hiddenEnds.add(Face::Front);
+    s.measurement.hits = 6;
+    s.around = {13.5, -3.1, 0.0, 0.5, 0.1};
+    s.side = {0.5, 6.0};
+    s.end = {};
+    return s;
+}
+
+Track parkedFor(int frames, VehicleKalmanFilter& filter)
+{
+    const TrackerOptions options;
+    Track track = startedTrack(1, wholeAt(0.0), {0.0, options.lifecycle.startSpeedSigma}, options);
+    for (int k = 1; k <= frames; ++k)
+    {
+        track = predictedTrack(std::move(track), 0.1, {0.0, 0.0}, filter, options.motion);
+        track = sightedTrack(std::move(track), wholeAt(0.1 * k), 0.0, filter, options);
+    }
+    return predictedTrack(std::move(track), 0.1, {0.0, 0.0}, filter, options.motion);
+}
+
+TEST(LastGlimpse, TellsThatAParkedCarIsThereAndNotWhere)
+{
+    const TrackerOptions options;
+    VehicleKalmanFilter filter{options.motion};
+    Track track = parkedFor(20, filter);
+    ASSERT_GT(track.hypotheses.standingProbability, 0.5);
+    track.misses = 1;
+    const Track after = sightedTrack(track, glimpseAt(2.1), 0.0, filter, options);
+    EXPECT_EQ(after.state.mean, track.state.mean);
+    EXPECT_EQ(after.state.covariance, track.state.covariance);
+    EXPECT_EQ(after.misses, 0);
+    EXPECT_EQ(after.lastSeen, 2.1);
+    EXPECT_FALSE(after.nis.has_value());
+}
+
+TEST(LastGlimpse, IsASightingLikeOthersWhereTheLengthWasNeverSeen)
+{
+    const TrackerOptions options;
+    VehicleKalmanFilter filter{options.motion};
+    Track track = parkedFor(20, filter);
+    track.told.length = false;
+    const Track after = sightedTrack(track, glimpseAt(2.1), 0.0, filter, options);
+    EXPECT_NE(after.state.mean, track.state.mean);
+    EXPECT_TRUE(after.nis.has_value());
+}
+
+}  // namespace
+}  // namespace vdamf
