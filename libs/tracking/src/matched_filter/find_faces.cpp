@@ -130,8 +130,8 @@ Matrix5d doubtOf(const FoundFaces& faces, double share, bool isBody, const Error
     const Eigen::Matrix2d axes = rotation(faces.fit.box.heading);
     for (const int axis : {0, 1})
     {
-        if (!(axis == 0 ? faces.seen.seesEnd() : faces.seen.seesSide())) continue;
-        const bool positive = faces.seen.has(axis == 0 ? Face::Front : Face::Left);
+        if (!faces.seen.seesAcross(axis)) continue;
+        const bool positive = faces.seen.has(kFaceAt[axis][1]);
         Vector5d byFace = Vector5d::Zero();
         byFace.head<2>() = 0.5 * axes.col(axis);
         byFace(3 + axis) = positive ? 1.0 : -1.0;
