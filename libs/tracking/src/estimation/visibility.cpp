@@ -5,6 +5,9 @@
 #include <array>
 #include <cmath>
 
+#include "estimation/by_size.h"
+#include "types/box_changes.h"
+
 namespace vdamf
 {
 namespace
@@ -55,6 +58,14 @@ bool reachesBeyond(const Measurement& m, const VehicleState& predicted, int axis
     return m.facesSeen.seesAlong(axis) && m.hiddenEnds.has(face) && !m.facesSeen.has(face) &&
            measured - predicted.size()(axis) > o.sizeSigma &&
            outside(m.box, predicted.box(), axis, end) > o.sizeSigma;
+}
+
+// Model error of the heading, rad.
+double headingFloorOf(FaceSet seen, const VisibilityOptions& o)
+{
+    constexpr double kShapeless = 0.25;  // of hits on no face
+    if (seen.seesSide()) return o.headingFloor;
+    return seen.seesEnd() ? o.endOnlyHeadingFloor : kShapeless;
 }
 
 constexpr double kClear = 2.0;  // sigmas from which on a change of size is not noise
@@ -121,19 +132,10 @@ VehicleState openToGrowth(const VehicleState& predicted, const Measurement& m,
         const bool both = located.has(kFaceAt[axis][0]) && located.has(kFaceAt[axis][1]);
         const SizeChange change = sizeChange(m, predicted, axis, o);
         if (!both || change.sigmas < kClear) continue;
-        const double sign = signOfEnd(suspect(m, predicted, axis, 1.0));
-        StateVector byFace = StateVector::Zero();
-        byFace.head<2>() = 0.5 * sign * rotation(predicted.mean(kHeading)).col(axis);
-        if (axis == 0)
-        {
-            if (next.steering != Steering::Independent) byFace(kAxis) = 0.5 * sign;
-            byFace(kLength) = 1.0;
-        }
-        else
-        {
-            next.widthVariance += change.metres * change.metres;
-        }
-        next.covariance += change.metres * change.metres * byFace * byFace.transpose();
+        const int stays = 1 - suspect(m, predicted, axis, 1.0);
+        const StateVector growth = bySize(predicted, axis, signOfEnd(stays));
+        next.covariance += change.metres * change.metres * growth * growth.transpose();
+        if (axis == 1) next.widthVariance += change.metres * change.metres;
     }
     return next;
 }
@@ -148,13 +150,6 @@ BoxMeasurement boxThrough(const Measurement& m, const FaceErrors& errors,
     Eigen::Vector2d offset = Eigen::Vector2d::Zero();  // of the centre, in the box frame
     Matrix5d j = Matrix5d::Identity();                 // d result / d measured
     Matrix5d modelError = Matrix5d::Zero();
-    const auto addError = [&](int axis, int end, double sigma)
-    {
-        Vector5d byFace = Vector5d::Zero();
-        byFace.head<2>() = 0.5 * r.col(axis);
-        byFace(3 + axis) = signOfEnd(end);
-        modelError += sigma * sigma * byFace * byFace.transpose();
-    };
     for (int axis = 0; axis < 2; ++axis)
     {
         const bool has[2] = {errors.tells(axis, 0), errors.tells(axis, 1)};
@@ -169,17 +164,14 @@ BoxMeasurement boxThrough(const Measurement& m, const FaceErrors& errors,
         for (int end = 0; end < 2; ++end)
         {
             const bool vague = m.facesSeen.empty() && signOfEnd(end) * fixed(axis) > 0.0;
-            addError(axis, end, vague ? o.unseenSigma : errors.sigma[axis][end]);
+            const double sigma = vague ? o.unseenSigma : errors.sigma[axis][end];
+            const Vector5d change = byFace(r, axis, end);
+            modelError += sigma * sigma * change * change.transpose();
         }
     }
     const Eigen::Vector2d lever = -0.5 * fixed.cwiseProduct(size);  // fixed point to centre
     j.block<2, 1>(0, 2) = r * Eigen::Vector2d(-offset.y(), offset.x());
-    Vector5d turn = Vector5d::Zero();
-    turn.head<2>() = r * Eigen::Vector2d(-lever.y(), lever.x());
-    constexpr double kShapeless = 0.25;  // rad, of hits on no face
-    const double withoutSide = m.facesSeen.seesEnd() ? o.endOnlyHeadingFloor : kShapeless;
-    turn(2) = m.facesSeen.seesSide() ? o.headingFloor : withoutSide;
-    turn.head<2>() *= turn(2);
+    const Vector5d turn = headingFloorOf(m.facesSeen, o) * byTurn(r * lever);
 
     BoxMeasurement result;
     result.box << m.box.centre() + r * offset, m.box.heading, size;

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "types/box_changes.h"
+
 namespace vdamf
 {
 namespace
@@ -66,9 +68,7 @@ Measurement withTurnOfPieces(const Sighting& sighting)
     if (row <= 0.0) return m;
     const double sigma = std::atan(kDepth / std::max(row, kLeastRow));
     // About the hits.
-    const Eigen::Vector2d lever = m.box.centre() - sighting.around.centre();
-    Vector5d turn = Vector5d::Zero();
-    turn.head<3>() << -lever.y(), lever.x(), 1.0;
+    const Vector5d turn = byTurn(m.box.centre() - sighting.around.centre());
     m.covariance += sigma * sigma * turn * turn.transpose();
     return m;
 }
@@ -81,13 +81,10 @@ Measurement withRecessOfEnd(const Measurement& measurement, const SegmentedFrame
     const double above = lowestOfEnd(measurement, frame, clusters) - kBumper;
     if (!(above > 0.0) || !std::isfinite(above)) return measurement;
     Measurement m = measurement;
-    const double sign = m.facesSeen.has(Face::Front) ? 1.0 : -1.0;
     const double sigma = kSlope * above;
-    // The end outwards, the other one where it is.
-    Vector5d byEnd = Vector5d::Zero();
-    byEnd.head<2>() = 0.5 * sign * rotation(m.box.heading).col(0);
-    byEnd(3) = 1.0;
-    m.covariance += sigma * sigma * byEnd * byEnd.transpose();
+    const Vector5d change =
+        byFace(rotation(m.box.heading), 0, m.facesSeen.has(Face::Front) ? 1 : 0);
+    m.covariance += sigma * sigma * change * change.transpose();
     return m;
 }
 
