@@ -17,6 +17,8 @@ Sighting rearSeen(double metres)
     s.measurement.facesSeen.add(Face::Back);
     s.measurement.covariance.diagonal() << 0.01, 0.01, 1e-4, 0.01, 0.01;
     s.end.metres = metres;
+    s.clusters = {0};
+    s.height = 1.5;
     s.around = {20.05, 0.9 - 0.5 * metres, 0.0, 0.1, metres};
     return s;
 }
@@ -70,19 +72,20 @@ TEST(PartialFaces, AWholeFaceTellsItAsMeasured)
 
 TEST(PartialFaces, HitsAboveTheBumperMayLieBehindTheEnd)
 {
-    const Measurement seen = rearSeen(1.8).measurement;
-    const Measurement low = withRecessOfEnd(seen, frameWithRear(0.3), {0}, 1.5);
+    const Sighting rear = rearSeen(1.8);
+    const Measurement& seen = rear.measurement;
+    const Measurement low = withRecessOfEnd(rear, frameWithRear(0.3));
     EXPECT_EQ(low.covariance, seen.covariance);
-    const Measurement high = withRecessOfEnd(seen, frameWithRear(1.05), {0}, 1.5);
+    const Measurement high = withRecessOfEnd(rear, frameWithRear(1.05));
     EXPECT_NEAR(varianceAt(high, 20.0, 0.0) - varianceAt(seen, 20.0, 0.0), 0.16, 0.01);
     EXPECT_NEAR(varianceAt(high, 24.5, 0.0), varianceAt(seen, 24.5, 0.0), 0.01);
 }
 
 TEST(PartialFaces, TrucksAreUpright)
 {
-    const Measurement seen = rearSeen(1.8).measurement;
-    const Measurement truck = withRecessOfEnd(seen, frameWithRear(1.5), {0}, 3.0);
-    EXPECT_EQ(truck.covariance, seen.covariance);
+    Sighting truck = rearSeen(1.8);
+    truck.height = 3.0;
+    EXPECT_EQ(withRecessOfEnd(truck, frameWithRear(1.5)).covariance, truck.measurement.covariance);
 }
 }  // namespace
 }  // namespace vdamf

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <optional>
 
+#include "estimation/by_size.h"
+
 namespace vdamf
 {
 namespace
@@ -128,27 +130,21 @@ BoxMeasurement withSizes(const Measurement& m, double height, const Eigen::Vecto
     return withKnown(box, 4, known.y(), sigma.y() * sigma.y());
 }
 
-// With the length (axis 0) or width (1) of a vehicle where it is clearly smaller; `side` is where
-// the centre moves to, by half of the growth.
-VehicleState grownTo(const VehicleState& state, int axis, double side,
+// With the length (axis 0) or width (1) of a vehicle where it is clearly smaller; the end at
+// `fixed` stays.
+VehicleState grownTo(const VehicleState& state, int axis, double fixed,
                      const std::optional<Assumed>& size)
 {
     if (!size || size->metres - state.size()(axis) < size->sigma) return state;
-    StateVector byFace = StateVector::Zero();
-    byFace.head<2>() = side * rotation(state.mean(kHeading)).col(axis);
+    const StateVector change = bySize(state, axis, fixed);
     VehicleState next = state;
-    if (axis == 0)
-    {
-        if (state.steering != Steering::Independent) byFace(kAxis) = side;
-        byFace(kLength) = 1.0;
-    }
-    else
+    if (axis == 1)
     {
         next.width = size->metres;
         next.widthVariance = size->sigma * size->sigma;
     }
-    next.mean += (size->metres - state.size()(axis)) * byFace;
-    next.covariance += size->sigma * size->sigma * byFace * byFace.transpose();
+    next.mean += (size->metres - state.size()(axis)) * change;
+    next.covariance += size->sigma * size->sigma * change * change.transpose();
     return next;
 }
 }  // namespace
@@ -163,13 +159,13 @@ VehicleState grownToAVehicle(const VehicleState& predicted, const Measurement& m
 {
     if (!o.assumeVehicleSize) return predicted;
     if (!told.length && !m.facesSeen.seesSide() && m.facesSeen.seesEnd())
-        return grownTo(predicted, 0, m.facesSeen.has(Face::Back) ? 0.5 : -0.5,
+        return grownTo(predicted, 0, m.facesSeen.has(Face::Back) ? -1.0 : 1.0,
                        lengthBehind(std::min(m.box.width, predicted.width), height, o));
     // No vehicle is as long and narrow: of that end a part is seen.
     const bool isNarrow = told.width && predicted.width < kCarEnd;
     const bool showsWidth = locatesWidth(m) && m.box.width >= kCarEnd;
     if ((!told.width || isNarrow) && locatesLength(m) && !showsWidth)
-        return grownTo(predicted, 1, m.facesSeen.has(Face::Right) ? 0.5 : -0.5,
+        return grownTo(predicted, 1, m.facesSeen.has(Face::Right) ? -1.0 : 1.0,
                        widthBehind(std::min(m.box.length, predicted.mean(kLength)), height, o));
     return predicted;
 }

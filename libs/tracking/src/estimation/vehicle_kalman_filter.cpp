@@ -17,6 +17,8 @@
 #include <type_traits>
 #include <utility>
 
+#include "estimation/by_size.h"
+
 namespace mrpt::math
 {
 // H P H^T + R as the template writes it, of which it then asks for one element after the other: all
@@ -60,10 +62,7 @@ double yawRateVarianceBySecondOrder(const VehicleState& state)
 // motion seems to tell of a long way between the two; that is not believed.
 VehicleState withLengthApart(const VehicleState& state, double fixedPoint)
 {
-    StateVector byLength = StateVector::Zero();
-    byLength.head<2>() = -0.5 * fixedPoint * rotation(state.mean(kHeading)).col(0);
-    if (state.steering != Steering::Independent) byLength(kAxis) = -0.5 * fixedPoint;
-    byLength(kLength) = 1.0;
+    const StateVector byLength = bySize(state, 0, fixedPoint);
     // A P A^T + P_LL b b^T, where b is byLength and A = I - b e_L^T leaves all but the length.
     const StateVector withLength =
         state.covariance.col(kLength) - state.covariance(kLength, kLength) * byLength;

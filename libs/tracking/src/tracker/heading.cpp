@@ -54,18 +54,13 @@ double movedAlong(double direction, const OrientedBox& from, const OrientedBox& 
     return std::copysign(std::max(0.0, std::abs(centre) - std::abs(growth)), centre);
 }
 
-bool showsPlace(FaceSet located, int axis)
-{
-    return axis == 0 ? located.seesEnd() : located.seesSide();
-}
-
 Course courseBetween(const PathPoint& from, const PathPoint& to)
 {
     Eigen::Vector2d move = Eigen::Vector2d::Zero();
     for (int axis = 0; axis < 2; ++axis)
     {
         // With neither face in view, what hides them may be what moves.
-        if (!showsPlace(from.located, axis) || !showsPlace(to.located, axis)) continue;
+        if (!from.located.seesAcross(axis) || !to.located.seesAcross(axis)) continue;
         move(axis) = movedAlong(to.box.heading + 0.5 * kPi * axis, from.box, to.box);
     }
     return {to.box.heading + std::atan2(move.y(), move.x()), move.norm(), to.time - from.time};

@@ -6,6 +6,9 @@
 #include <cmath>
 #include <limits>
 
+#include "types/box_changes.h"
+#include "vdamf/tracking/estimation/occlusion.h"
+
 namespace vdamf
 {
 namespace
@@ -16,12 +19,6 @@ constexpr double kBumper = 0.65;      // m above ground
 constexpr double kSlope = 1.0;        // m behind the end per m above the bumper
 constexpr double kTruckHeight = 2.2;  // m
 constexpr std::size_t kFew = 3;       // hits that show how low a face is seen
-
-// Whether the row along an axis ends where something hides the rest.
-bool isPiece(const Measurement& m, Face one, Face other)
-{
-    return m.hiddenEnds.has(one) || m.hiddenEnds.has(other);
-}
 
 // The height above which all hits along the end seen lie, but for the lowest ones, m.
 double lowestOfEnd(const Measurement& m, const SegmentedFrame& frame,
@@ -52,42 +49,50 @@ double lowestOfEnd(const Measurement& m, const SegmentedFrame& frame,
 }
 }  // namespace
 
+Measurement withoutEndsBelowView(const Sighting& sighting, const SegmentedFrame& frame)
+{
+    Measurement m = sighting.measurement;
+    if (frame.planar || !m.facesSeen.seesSide()) return m;
+    const FaceSet below =
+        endsBelowView(m.box, sighting.sensor, frame.sensorZ - sighting.groundZ, frame.profile);
+    for (const Face end : kFaceAt[0])
+    {
+        if (!below.has(end)) continue;
+        m.facesSeen.remove(end);
+        m.hiddenEnds.add(end);
+    }
+    return m;
+}
+
 Measurement withTurnOfPieces(const Sighting& sighting)
 {
     Measurement m = sighting.measurement;
     double row = 0.0;
-    for (const bool side : {false, true})
+    for (const int axis : {0, 1})
     {
-        if (!(side ? m.facesSeen.seesSide() : m.facesSeen.seesEnd())) continue;
-        if (!(side ? isPiece(m, Face::Front, Face::Back) : isPiece(m, Face::Left, Face::Right)))
-            return m;
-        row = std::max(row, side ? sighting.side.metres : sighting.end.metres);
+        if (!m.facesSeen.seesAlong(axis)) continue;
+        // It is a piece where something hides the rest.
+        if (!m.hiddenEnds.seesAcross(axis)) return m;
+        row = std::max(row, axis == 0 ? sighting.side.metres : sighting.end.metres);
     }
     if (row <= 0.0) return m;
     const double sigma = std::atan(kDepth / std::max(row, kLeastRow));
     // About the hits.
-    const Eigen::Vector2d lever = m.box.centre() - sighting.around.centre();
-    Vector5d turn = Vector5d::Zero();
-    turn.head<3>() << -lever.y(), lever.x(), 1.0;
+    const Vector5d turn = byTurn(m.box.centre() - sighting.around.centre());
     m.covariance += sigma * sigma * turn * turn.transpose();
     return m;
 }
 
-Measurement withRecessOfEnd(const Measurement& measurement, const SegmentedFrame& frame,
-                            const std::vector<std::size_t>& clusters, double height)
+Measurement withRecessOfEnd(const Sighting& sighting, const SegmentedFrame& frame)
 {
-    if (frame.planar || !measurement.facesSeen.seesEnd() || height > kTruckHeight)
-        return measurement;
-    const double above = lowestOfEnd(measurement, frame, clusters) - kBumper;
-    if (!(above > 0.0) || !std::isfinite(above)) return measurement;
-    Measurement m = measurement;
-    const double sign = m.facesSeen.has(Face::Front) ? 1.0 : -1.0;
+    Measurement m = sighting.measurement;
+    if (frame.planar || !m.facesSeen.seesEnd() || sighting.height > kTruckHeight) return m;
+    const double above = lowestOfEnd(m, frame, sighting.clusters) - kBumper;
+    if (!(above > 0.0) || !std::isfinite(above)) return m;
     const double sigma = kSlope * above;
-    // The end outwards, the other one where it is.
-    Vector5d byEnd = Vector5d::Zero();
-    byEnd.head<2>() = 0.5 * sign * rotation(m.box.heading).col(0);
-    byEnd(3) = 1.0;
-    m.covariance += sigma * sigma * byEnd * byEnd.transpose();
+    const Vector5d change =
+        byFace(rotation(m.box.heading), 0, m.facesSeen.has(Face::Front) ? 1 : 0);
+    m.covariance += sigma * sigma * change * change.transpose();
     return m;
 }
 

@@ -75,6 +75,26 @@ Track stillThere(Track track, const Measurement& m, double time, const Lifecycle
         track.status = TrackStatus::Confirmed;
     return track;
 }
+
+// Of (x, y, heading, speed): the filter's, and what lasts of the errors.
+Eigen::Matrix4d toldCovariance(const Track& track, const VisibilityOptions& options)
+{
+    Eigen::Matrix4d covariance = track.state.covariance.topLeftCorner<4, 4>();
+    // The centre errs by half of what the length and the width do.
+    const Eigen::Matrix2d axes = rotation(track.state.mean(kHeading));
+    const Eigen::Vector2d bySize(0.25 * std::pow(options.lastingSize, 2),
+                                 0.25 * track.state.widthVariance);
+    covariance.topLeftCorner<2, 2>() += axes * bySize.asDiagonal() * axes.transpose();
+    covariance.topLeftCorner<3, 3>() += track.lastingError;
+    // What lasts of the measurements' errors is at least what the options say.
+    const auto lacking = [](double least, double known)
+    { return std::max(0.0, least * least - known); };
+    const double position =
+        lacking(options.lastingPosition, 0.5 * track.lastingError.topLeftCorner<2, 2>().trace());
+    const double heading = lacking(options.lastingHeading, track.lastingError(2, 2));
+    covariance.diagonal() += Eigen::Vector4d(position, position, heading, 0.0);
+    return covariance;
+}
 }  // namespace
 
 OrientedBox Track::boxOfHits() const
@@ -206,20 +226,8 @@ TrackReport reportOf(const Track& track, const VisibilityOptions& options,
     report.yawRate = track.state.yawRate();
     report.forwardProbability = track.front.forwardProbability();
     report.type = track.type;
-    report.covariance = track.state.covariance.topLeftCorner<4, 4>();
+    report.covariance = toldCovariance(track, options);
     const double size = std::pow(options.lastingSize, 2);
-    // The centre errs by half of what the length and the width do.
-    const Eigen::Matrix2d axes = rotation(track.state.mean(kHeading));
-    const Eigen::Vector2d bySize(0.25 * size, 0.25 * track.state.widthVariance);
-    report.covariance.topLeftCorner<2, 2>() += axes * bySize.asDiagonal() * axes.transpose();
-    report.covariance.topLeftCorner<3, 3>() += track.lastingError;
-    // What lasts of the measurements' errors is at least what the options say.
-    const auto lacking = [](double least, double known)
-    { return std::max(0.0, least * least - known); };
-    const double position =
-        lacking(options.lastingPosition, 0.5 * track.lastingError.topLeftCorner<2, 2>().trace());
-    const double heading = lacking(options.lastingHeading, track.lastingError(2, 2));
-    report.covariance.diagonal() += Eigen::Vector4d(position, position, heading, 0.0);
     report.lengthVariance = track.state.covariance(kLength, kLength) + size;
     report.widthVariance = track.state.widthVariance + size;
     if (track.measurement)
