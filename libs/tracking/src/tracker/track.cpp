@@ -71,7 +71,8 @@ Track stillThere(Track track, const Measurement& m, double time, const Lifecycle
     track.lastSeen = time;
     track = withHit(std::move(track), options);
     if (track.status == TrackStatus::Coasting ||
-        (track.status == TrackStatus::Tentative && track.sightings >= options.confirmHits))
+        (track.status == TrackStatus::Tentative &&
+         track.sightings - track.startedAt + 1 >= options.confirmHits))
         track.status = TrackStatus::Confirmed;
     return track;
 }
@@ -153,7 +154,7 @@ Track sightedTrack(Track track, const Sighting& sighting, double neighbours,
         { return openToGrowth(state, broughtTo(state, m, box.lag, options.motion), visibility); });
     track.jitter = jitter.after(then, box, sighting.time - track.lastSeen);
     track.hypotheses = updated(hypotheses, box, jitter, filter, options.lifecycle.nisGate);
-    if (track.sightings == 1) track.hypotheses.forEach(withUsualCurvature);
+    if (track.sightings == track.startedAt) track.hypotheses.forEach(withUsualCurvature);
     track.lastingError = lastingError(box, jitter);
     track.told = track.told.with(m);
     track.around = inFrameOf(then.box(), sighting.around);
