@@ -51,12 +51,17 @@ bool isWithin(const OrientedBox& hits, const OrientedBox& box, double margin)
     return true;
 }
 
+bool standsWithKnownLength(const Track& track)
+{
+    return track.hypotheses.standingProbability >= 0.5 && track.told.length;
+}
+
 // Of what stands, of known size, and goes out of sight the last hits are on any part of it, and
 // where they are expected: they tell that it is there, and not where its faces are.
 bool isLastGlimpse(const Track& track, const Sighting& sighting, double margin)
 {
     constexpr double kPart = 0.25;  // of the length
-    if (track.hypotheses.standingProbability < 0.5 || !track.told.length) return false;
+    if (!standsWithKnownLength(track)) return false;
     const bool isPart =
         std::hypot(sighting.around.length, sighting.around.width) < kPart * track.box().length;
     return isPart && !sighting.measurement.hiddenEnds.empty() &&
@@ -144,8 +149,9 @@ Track sightedTrack(Track track, const Sighting& sighting, double neighbours,
                        { return grownToAVehicle(state, m, track.height, track.told, visibility); });
     const VehicleState then =
         stateAt(hypotheses.combined(options.motion), sighting.lag, options.motion);
-    BoxMeasurement box =
-        boxThrough(m, faceErrors(m, then, visibility), then.size(), sighting.sensor, visibility);
+    FaceErrors errors = faceErrors(m, then, visibility);
+    if (standsWithKnownLength(track)) errors = withShortRows(errors, m, then);
+    BoxMeasurement box = boxThrough(m, errors, then.size(), sighting.sensor, visibility);
     box.lag = sighting.lag;
     const JitterShares jitter = track.jitter;  // before this sighting
     track.nis = innovationOf(then, withJitterAlone(box, jitter)).nis();
