@@ -122,6 +122,21 @@ FaceErrors faceErrors(const Measurement& m, const VehicleState& predicted,
     return errors;
 }
 
+FaceErrors withShortRows(const FaceErrors& errors, const Measurement& m,
+                         const VehicleState& predicted)
+{
+    FaceErrors next = errors;
+    for (int axis = 0; axis < 2; ++axis)
+        for (int end = 0; end < 2; ++end)
+        {
+            const bool isSeen = m.facesSeen.has(kFaceAt[axis][end]);
+            if (isSeen || !errors.tells(axis, end) || errors.tells(axis, 1 - end)) continue;
+            double& sigma = next.sigma[axis][end];
+            sigma = std::max(sigma, -outside(m.box, predicted.box(), axis, end));
+        }
+    return next;
+}
+
 VehicleState openToGrowth(const VehicleState& predicted, const Measurement& m,
                           const VisibilityOptions& o)
 {

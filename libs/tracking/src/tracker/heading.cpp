@@ -145,7 +145,8 @@ std::vector<PathPoint> turned(std::vector<PathPoint> path, int quarters)
     return path;
 }
 
-// The track started anew with its measurement turned; it keeps its identity and history.
+// The track started anew with its measurement turned; it keeps its identity and history. Where its
+// path does not tell its speed, it is confirmed anew as well.
 Track quarterTurned(const Track& track, const Sighting& sighting, int quarters,
                     const TrackerOptions& options)
 {
@@ -154,7 +155,8 @@ Track quarterTurned(const Track& track, const Sighting& sighting, int quarters,
                                   widestEnd(track.height), options.visibility);
     constexpr double kPathSigma = 0.4;  // m, of the ends of a path
     StartSpeed speed{0.0, options.lifecycle.startSpeedSigma};
-    if (const auto course = steadyCourse(track))
+    const auto course = steadyCourse(track);
+    if (course)
         speed = {course->speedAlong(turned.measurement.box.heading),
                  std::max(1.0, kPathSigma / course->duration)};
     const Track fresh = startedTrack(track.id, turned, speed, options);
@@ -163,6 +165,8 @@ Track quarterTurned(const Track& track, const Sighting& sighting, int quarters,
     next.measurement = fresh.measurement;
     next.around = fresh.around;
     next.hypotheses = hypothesesFrom(next.state, options.motion);
+    next.startedAt = track.sightings;
+    if (!course && options.lifecycle.confirmHits > 1) next.status = TrackStatus::Tentative;
     return next;
 }
 

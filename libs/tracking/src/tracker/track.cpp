@@ -51,12 +51,17 @@ bool isWithin(const OrientedBox& hits, const OrientedBox& box, double margin)
     return true;
 }
 
+bool standsWithKnownLength(const Track& track)
+{
+    return track.hypotheses.standingProbability >= 0.5 && track.told.length;
+}
+
 // Of what stands, of known size, and goes out of sight the last hits are on any part of it, and
 // where they are expected: they tell that it is there, and not where its faces are.
 bool isLastGlimpse(const Track& track, const Sighting& sighting, double margin)
 {
     constexpr double kPart = 0.25;  // of the length
-    if (track.hypotheses.standingProbability < 0.5 || !track.told.length) return false;
+    if (!standsWithKnownLength(track)) return false;
     const bool isPart =
         std::hypot(sighting.around.length, sighting.around.width) < kPart * track.box().length;
     return isPart && !sighting.measurement.hiddenEnds.empty() &&
@@ -71,7 +76,8 @@ Track stillThere(Track track, const Measurement& m, double time, const Lifecycle
     track.lastSeen = time;
     track = withHit(std::move(track), options);
     if (track.status == TrackStatus::Coasting ||
-        (track.status == TrackStatus::Tentative && track.sightings >= options.confirmHits))
+        (track.status == TrackStatus::Tentative &&
+         track.sightings - track.startedAt + 1 >= options.confirmHits))
         track.status = TrackStatus::Confirmed;
     return track;
 }
@@ -143,8 +149,9 @@ Track sightedTrack(Track track, const Sighting& sighting, double neighbours,
                        { return grownToAVehicle(state, m, track.height, track.told, visibility); });
     const VehicleState then =
         stateAt(hypotheses.combined(options.motion), sighting.lag, options.motion);
-    BoxMeasurement box =
-        boxThrough(m, faceErrors(m, then, visibility), then.size(), sighting.sensor, visibility);
+    FaceErrors errors = faceErrors(m, then, visibility);
+    if (standsWithKnownLength(track)) errors = withShortRows(errors, m, then);
+    BoxMeasurement box = boxThrough(m, errors, then.size(), sighting.sensor, visibility);
     box.lag = sighting.lag;
     const JitterShares jitter = track.jitter;  // before this sighting
     track.nis = innovationOf(then, withJitterAlone(box, jitter)).nis();
@@ -153,7 +160,7 @@ Track sightedTrack(Track track, const Sighting& sighting, double neighbours,
         { return openToGrowth(state, broughtTo(state, m, box.lag, options.motion), visibility); });
     track.jitter = jitter.after(then, box, sighting.time - track.lastSeen);
     track.hypotheses = updated(hypotheses, box, jitter, filter, options.lifecycle.nisGate);
-    if (track.sightings == 1) track.hypotheses.forEach(withUsualCurvature);
+    if (track.sightings == track.startedAt) track.hypotheses.forEach(withUsualCurvature);
     track.lastingError = lastingError(box, jitter);
     track.told = track.told.with(m);
     track.around = inFrameOf(then.box(), sighting.around);
