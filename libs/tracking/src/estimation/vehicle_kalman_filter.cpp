@@ -18,6 +18,7 @@
 #include <utility>
 
 #include "estimation/by_size.h"
+#include "estimation/transition.h"
 
 namespace mrpt::math
 {
@@ -99,10 +100,9 @@ public:
     VehicleState predicted(const VehicleState& state, double dt) const
     {
         const MotionModel& model = modelFor(state.steering);
-        const StateMatrix f = model.jacobian(state.mean, dt);
-        const StateMatrix p = f * state.covariance * f.transpose() + model.noise(state.mean, dt);
-        VehicleState next = state;
-        next.mean = model.bounded(model.predicted(state.mean, dt));
+        VehicleState next = transitioned(model, state, dt);
+        next.mean = model.bounded(next.mean);
+        const StateMatrix p = next.covariance;
         next.covariance = 0.5 * (p + p.transpose());
         if (state.steering != Steering::Independent)
             next.covariance(kHeading, kHeading) += dt * dt * yawRateVarianceBySecondOrder(state);

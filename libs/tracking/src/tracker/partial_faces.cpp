@@ -21,8 +21,7 @@ constexpr double kTruckHeight = 2.2;  // m
 constexpr std::size_t kFew = 3;       // hits that show how low a face is seen
 
 // The height above which all hits along the end seen lie, but for the lowest ones, m.
-double lowestOfEnd(const Measurement& m, const SegmentedFrame& frame,
-                   const std::vector<std::size_t>& clusters)
+double lowestOfEnd(const Measurement& m, const Cluster& hits)
 {
     constexpr float kInFront = 0.25F;  // m, of the face
     constexpr float kBehind = 0.45F;   // m
@@ -32,18 +31,14 @@ double lowestOfEnd(const Measurement& m, const SegmentedFrame& frame,
     const float half = static_cast<float>(0.5 * m.box.length);
     std::array<float, kFew> lowest;
     lowest.fill(std::numeric_limits<float>::infinity());
-    for (const std::size_t k : clusters)
+    for (std::size_t i = 0; i < hits.size(); ++i)
     {
-        const Cluster& c = frame.clusters[k];
-        for (std::size_t i = 0; i < c.size(); ++i)
-        {
-            if (c.height[i] >= lowest.back()) continue;
-            const float behind =
-                half - outwards.x() * (c.x[i] - centre.x()) - outwards.y() * (c.y[i] - centre.y());
-            if (behind < -kInFront || behind > kBehind) continue;
-            lowest.back() = c.height[i];
-            std::sort(lowest.begin(), lowest.end());
-        }
+        if (hits.height[i] >= lowest.back()) continue;
+        const float behind = half - outwards.x() * (hits.x[i] - centre.x()) -
+                             outwards.y() * (hits.y[i] - centre.y());
+        if (behind < -kInFront || behind > kBehind) continue;
+        lowest.back() = hits.height[i];
+        std::sort(lowest.begin(), lowest.end());
     }
     return static_cast<double>(lowest.back());
 }
@@ -83,11 +78,12 @@ Measurement withTurnOfPieces(const Sighting& sighting)
     return m;
 }
 
-Measurement withRecessOfEnd(const Sighting& sighting, const SegmentedFrame& frame)
+Measurement withRecessOfEnd(const Sighting& sighting, const HitsAtOneTime& seen)
 {
     Measurement m = sighting.measurement;
-    if (frame.planar || !m.facesSeen.seesEnd() || sighting.height > kTruckHeight) return m;
-    const double above = lowestOfEnd(m, frame, sighting.clusters) - kBumper;
+    const bool heightsKnown = seen.hits.heights != 0;
+    if (!heightsKnown || !m.facesSeen.seesEnd() || sighting.height > kTruckHeight) return m;
+    const double above = lowestOfEnd(m, seen.each) - kBumper;
     if (!(above > 0.0) || !std::isfinite(above)) return m;
     const double sigma = kSlope * above;
     const Vector5d change =

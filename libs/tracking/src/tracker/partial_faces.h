@@ -18,6 +18,6 @@ Measurement withTurnOfPieces(const Sighting& sighting);
 
 /// The measurement of a sighting with its end as uncertain as hits above the bumper leave it: on
 /// a bonnet or a windscreen they lie behind the end. What is as high as a truck is upright.
-Measurement withRecessOfEnd(const Sighting& sighting, const SegmentedFrame& frame);
+Measurement withRecessOfEnd(const Sighting& sighting, const HitsAtOneTime& seen);
 
 }  // namespace vdamf

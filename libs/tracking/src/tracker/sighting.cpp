@@ -209,7 +209,7 @@ Sighting sightingOf(const SegmentedFrame& frame, const std::vector<std::size_t>&
     s.groundZ = count > 0.0 ? ground / count : 0.0;
     m = withoutEndsBelowView(s, frame);
     m = withTurnOfPieces(s);
-    m = withRecessOfEnd(s, frame);
+    m = withRecessOfEnd(s, seen);
     return s;
 }
 
