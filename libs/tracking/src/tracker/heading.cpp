@@ -166,7 +166,7 @@ Track quarterTurned(const Track& track, const Sighting& sighting, int quarters,
     next.around = fresh.around;
     next.hypotheses = hypothesesFrom(next.state, options.motion);
     next.startedAt = track.sightings;
-    if (!course && options.lifecycle.confirmHits > 1) next.status = TrackStatus::Tentative;
+    if (!course) next.status = TrackStatus::Tentative;
     return next;
 }
 

@@ -74,10 +74,18 @@ Track stillThere(Track track, const Measurement& m, double time, const Lifecycle
     ++track.sightings;
     track.misses = 0;
     track.lastSeen = time;
-    track = withHit(std::move(track), options);
-    if (track.status == TrackStatus::Coasting ||
-        (track.status == TrackStatus::Tentative &&
-         track.sightings - track.startedAt + 1 >= options.confirmHits))
+    return withHit(std::move(track), options);
+}
+
+// What may still be across is waited for, but not for long: two-wheelers never tell.
+Track withConfirmation(Track track, const LifecycleOptions& options)
+{
+    constexpr int kPatience = 4;  // sightings
+    const int sightings = track.sightings - track.startedAt + 1;
+    const int enough = track.front.axesProbability() < options.confirmAxes
+                           ? options.confirmHits + kPatience
+                           : options.confirmHits;
+    if (track.status == TrackStatus::Coasting || sightings >= enough)
         track.status = TrackStatus::Confirmed;
     return track;
 }
@@ -143,7 +151,8 @@ Track sightedTrack(Track track, const Sighting& sighting, double neighbours,
     const Measurement m = alignedWith(
         sighting.measurement, stateAt(track.state, sighting.lag, options.motion).mean(kHeading));
     if (isLastGlimpse(track, sighting, options.association.surfaceSigma))
-        return stillThere(std::move(track), m, sighting.time, options.lifecycle);
+        return withConfirmation(stillThere(std::move(track), m, sighting.time, options.lifecycle),
+                                options.lifecycle);
     MotionHypotheses hypotheses = track.hypotheses;
     hypotheses.forEach([&](const VehicleState& state)
                        { return grownToAVehicle(state, m, track.height, track.told, visibility); });
@@ -172,7 +181,8 @@ Track sightedTrack(Track track, const Sighting& sighting, double neighbours,
     const Vector5d& b = box.box;
     appendToPath(track,
                  {sighting.time + sighting.lag, {b(0), b(1), b(2), b(3), b(4)}, locatedFaces(m)});
-    return withCheckedHeading(std::move(track), sighting, neighbours, options);
+    return withConfirmation(withCheckedHeading(std::move(track), sighting, neighbours, options),
+                            options.lifecycle);
 }
 
 Track movedBy(Track track, const Eigen::Vector3d& by)

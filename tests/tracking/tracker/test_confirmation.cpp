@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A track whose length and width are exchanged starts anew, and is confirmed anew.
+// Tracks are confirmed once it is clear which way their boxes lie, and anew where that changes.
 #include <gtest/gtest.h>
 
 #include "tracker/sighting.h"
@@ -25,7 +25,7 @@ Sighting rearAt(double time, double width, double along = 0.0)
     return s;
 }
 
-class QuarterTurn : public ::testing::Test
+class Confirmation : public ::testing::Test
 {
 protected:
     void see(const Sighting& sighting)
@@ -46,7 +46,24 @@ protected:
     Track track_;
 };
 
-TEST_F(QuarterTurn, BeginsTheConfirmationAnew)
+TEST_F(Confirmation, WaitsForAWhileWhereAxesAreUndecided)
+{
+    // As wide as the widest of rears, and as long as a part of a side: it may be either.
+    const auto sightingsUntilConfirmed = [this]
+    {
+        see(rearAt(0.0, 2.25));
+        while (track_.status == TrackStatus::Tentative && track_.sightings < 50)
+            see(rearAt(0.1 * track_.sightings, 2.25));
+        return track_.sightings;
+    };
+    options_.lifecycle.confirmAxes = 0.99;
+    EXPECT_EQ(sightingsUntilConfirmed(), 7);
+    EXPECT_LT(track_.front.axesProbability(), 0.99);
+    options_.lifecycle.confirmAxes = 0.0;
+    EXPECT_EQ(sightingsUntilConfirmed(), 3);
+}
+
+TEST_F(Confirmation, BeginsAnewWhereAxesAreExchanged)
 {
     for (const double time : {0.0, 0.1, 0.2}) see(rearAt(time, 1.8));
     ASSERT_EQ(track_.status, TrackStatus::Confirmed);
@@ -71,7 +88,7 @@ TEST_F(QuarterTurn, BeginsTheConfirmationAnew)
     }
 }
 
-TEST_F(QuarterTurn, OfWhatHasACourseKeepsItConfirmed)
+TEST_F(Confirmation, IsKeptWhereTheCourseToldThatAxesAreExchanged)
 {
     // It slides along what is taken for its width: that is its length.
     int k = 0;
