@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hit_selection.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <unordered_set>
