@@ -9,7 +9,6 @@
 #include <filesystem>
 #include <fstream>
 #include <random>
-#include <string>
 
 #include "vdamf/tracking/preprocessing/clustering.h"
 #include "vdamf/tracking/types/geometry.h"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vdamf-import velodyne-pcap
 #include <chrono>
-#include <stdexcept>
 
 #include "commands.h"
 #include "vdamf/rawlog/velodyne_import.h"

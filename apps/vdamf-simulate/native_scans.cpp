@@ -6,7 +6,6 @@
 #include <mrpt/obs/CObservation2DRangeScan.h>
 #include <mrpt/obs/CObservationVelodyneScan.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstring>

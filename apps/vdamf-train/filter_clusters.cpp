@@ -2,7 +2,6 @@
 #include "filter_clusters.h"
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 
 #include "collect.h"

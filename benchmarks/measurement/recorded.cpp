@@ -2,7 +2,6 @@
 #include "measurement/recorded.h"
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 
 #include "vdamf/learning/clusters/label_hits.h"

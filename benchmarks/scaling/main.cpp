@@ -4,7 +4,6 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
-#include <stdexcept>
 #include <thread>
 
 #include "scaling/recorded_frames.h"

@@ -3,7 +3,6 @@
 // observations come from a rawlog; in a robot they come from its sensors.
 #include <cstdio>
 #include <exception>
-#include <stdexcept>
 
 #include <mrpt/obs/CObservation.h>
 
@@ -63,11 +62,7 @@ try
         {
             process(*observation, ins, tracker);
         }
-        catch (const std::invalid_argument& error)  // a scan that came too late
-        {
-            std::fprintf(stderr, "scan skipped: %s\n", error.what());
-        }
-        catch (const std::runtime_error& error)  // a scan that cannot be read
+        catch (const std::exception& error)  // it came too late, or cannot be read
         {
             std::fprintf(stderr, "scan skipped: %s\n", error.what());
         }

@@ -7,6 +7,7 @@
 
 #include <cmath>
 
+#include "simulation/scenario_text.h"
 #include "vdamf/simulation/segments.h"
 
 namespace vdamf
@@ -40,24 +41,6 @@ class = bush
 x_m = 104
 y_m = 60
 )";
-
-Scenario scenarioOf(const std::string& text)
-{
-    return readScenario(IniDocument::parse(text, "small.ini"));
-}
-
-std::string errorOf(const std::string& text)
-{
-    try
-    {
-        scenarioOf(text);
-    }
-    catch (const IniError& error)
-    {
-        return error.what();
-    }
-    return "no error";
-}
 
 bool operator==(const LadarReturn& a, const LadarReturn& b)
 {

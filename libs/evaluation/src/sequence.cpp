@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vdamf/evaluation/sequence.h"
 
-#include <algorithm>
 #include <stdexcept>
 
 #include "frame_rows.h"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <chrono>
 #include <csignal>
-#include <deque>
 #include <list>
 #include <thread>
 

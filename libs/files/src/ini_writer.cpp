@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <array>
 #include <charconv>
-#include <cmath>
 #include <limits>
 
 #include "degrees.h"

@@ -2,7 +2,6 @@
 #include "vdamf/learning/logistic.h"
 
 #include <Eigen/Cholesky>
-#include <cmath>
 
 namespace vdamf
 {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "frame_maker.h"
 
-#include <stdexcept>
 #include <utility>
 
 namespace vdamf

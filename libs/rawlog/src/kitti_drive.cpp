@@ -33,41 +33,33 @@ void checkFolder(const fs::path& folder)
     }
 }
 
-// 0000000000.bin, 0000000001.bin, ... of a folder, as many as there are time stamps.
-std::vector<fs::path> numberedFiles(const fs::path& folder, const std::string& extension,
-                                    const fs::path& timestamps, std::size_t stamps)
+// 0000000000.bin, 0000000001.bin, ... in `data` of a folder, as many as there are time stamps.
+std::vector<KittiFile> stampedFiles(const fs::path& part, const std::string& extension)
 {
+    const fs::path timestamps = part / "timestamps.txt";
+    const fs::path folder = part / "data";
+    const auto times = readKittiTimestamps(timestamps);
+    const std::size_t stamps = times.size();
     if (stamps == 0) fail(timestamps, "has no times");
     std::size_t count = 0;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder))
     {
         if (entry.path().extension() == extension) ++count;
     }
-    std::vector<fs::path> files;
+    std::vector<KittiFile> files;
     for (std::size_t i = 0; i < stamps; ++i)
     {
         std::array<char, 32> name = {};
         std::snprintf(name.data(), name.size(), "%010zu", i);
-        files.push_back(folder / (name.data() + extension));
-        if (fs::is_regular_file(files.back())) continue;
-        fail(files.back(), "is missing: the folder has " + std::to_string(count) + " files *" +
-                               extension + ", " + timestamps.string() + " has " +
-                               std::to_string(stamps) + " times");
+        files.push_back({folder / (name.data() + extension), times[i]});
+        if (fs::is_regular_file(files.back().path)) continue;
+        fail(files.back().path, "is missing: the folder has " + std::to_string(count) + " files *" +
+                                    extension + ", " + timestamps.string() + " has " +
+                                    std::to_string(stamps) + " times");
     }
     if (count == stamps) return files;
     fail(folder, "has " + std::to_string(count) + " files *" + extension + ", but " +
                      timestamps.string() + " has " + std::to_string(stamps) + " times");
-}
-
-std::vector<KittiScanFile> scansOf(const fs::path& folder)
-{
-    const fs::path stampFile = folder / "velodyne_points" / "timestamps.txt";
-    const auto times = readKittiTimestamps(stampFile);
-    const std::vector<fs::path> files =
-        numberedFiles(folder / "velodyne_points" / "data", ".bin", stampFile, times.size());
-    std::vector<KittiScanFile> scans;
-    for (std::size_t i = 0; i < files.size(); ++i) scans.push_back({files[i], times[i]});
-    return scans;
 }
 
 KittiOxts oxtsOf(const fs::path& path, mrpt::Clock::time_point time)
@@ -79,21 +71,8 @@ KittiOxts oxtsOf(const fs::path& path, mrpt::Clock::time_point time)
     if (std::abs(oxts.latitude) >= 90.0)
         fail(path, "latitude " + toText(v[0]) + " is not on earth");
     if (v[kSatellites] >= 0.0 && v[kSatellites] < 256.0)
-    {
         oxts.satellites = static_cast<int>(v[kSatellites]);
-    }
     return oxts;
-}
-
-std::vector<KittiOxts> oxtsOf(const fs::path& folder)
-{
-    const fs::path stampFile = folder / "oxts" / "timestamps.txt";
-    const auto times = readKittiTimestamps(stampFile);
-    const std::vector<fs::path> files =
-        numberedFiles(folder / "oxts" / "data", ".txt", stampFile, times.size());
-    std::vector<KittiOxts> samples;
-    for (std::size_t i = 0; i < files.size(); ++i) samples.push_back(oxtsOf(files[i], times[i]));
-    return samples;
 }
 
 fs::path calibrationFile(const fs::path& folder)
@@ -116,8 +95,9 @@ KittiDrive readKittiDrive(const fs::path& folder)
     KittiDrive drive;
     drive.folder = folder;
     drive.velodyneInVehicle = readRigidTransform(calibrationFile(folder)).inverse();
-    drive.scans = scansOf(folder);
-    drive.oxts = oxtsOf(folder);
+    drive.scans = stampedFiles(folder / "velodyne_points", ".bin");
+    for (const KittiFile& sample : stampedFiles(folder / "oxts", ".txt"))
+        drive.oxts.push_back(oxtsOf(sample.path, sample.time));
     if (drive.scans.size() != drive.oxts.size())
     {
         fail(folder, "has " + std::to_string(drive.scans.size()) + " scans, but " +

@@ -95,7 +95,7 @@ private:
 
     void writeFrame(std::size_t frame)
     {
-        const KittiScanFile& file = drive_.scans[frame];
+        const KittiFile& file = drive_.scans[frame];
         const PointCloud scan = readKittiScan(file.path);
         writePosesUpTo(file.time);
         rawlog_.write(scanObservation(scan, drive_.velodyneInVehicle, file.time));

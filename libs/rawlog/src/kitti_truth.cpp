@@ -25,7 +25,7 @@ double headingOf(const Eigen::Vector3d& forward)
 PoseOfFrame posesOf(const KittiDrive& drive, const InsTrajectory& trajectory)
 {
     PoseOfFrame poses;
-    for (const KittiScanFile& scan : drive.scans)
+    for (const KittiFile& scan : drive.scans)
     {
         const std::optional<VehiclePose> vehicle = trajectory.at(mrpt::Clock::toDouble(scan.time));
         if (!vehicle)

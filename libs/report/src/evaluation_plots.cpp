@@ -2,7 +2,6 @@
 #include "vdamf/report/evaluation_plots.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "vdamf/evaluation/chi_square.h"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hit_selection.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <unordered_set>
@@ -121,6 +120,27 @@ std::uint64_t identityOf(float x, float y, float z)
     };
     return bits(x) * 0x9E3779B97F4A7C15ULL ^ bits(y) * 0xC2B2AE3D27D4EB4FULL ^ bits(z);
 }
+
+// Adds the hits in reach that no cluster has.
+ShownHits withOthers(ShownHits shown, const LadarFrame& frame, const AboveGround& above,
+                     const std::unordered_set<std::uint64_t>& clustered, double maxRange)
+{
+    const Eigen::Vector3f sensor = (frame.sensor - frame.origin).cast<float>();
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < frame.points.size(); ++i)
+    {
+        const Eigen::Vector3f p(frame.points.x[i], frame.points.y[i], frame.points.z[i]);
+        const bool stands = next < above.index.size() && above.index[next] == i;
+        if (stands) ++next;
+        if (!((p - sensor).norm() < maxRange)) continue;
+        if (stands && clustered.count(identityOf(p.x(), p.y(), p.z())) != 0) continue;
+        (stands               ? shown.structure
+         : p.z() > sensor.z() ? shown.overhead
+                              : shown.ground)
+            .push_back(p);
+    }
+    return shown;
+}
 }  // namespace
 
 ShownHits selectHits(const LadarFrame& frame, const FrameResult& result,
@@ -148,20 +168,7 @@ ShownHits selectHits(const LadarFrame& frame, const FrameResult& result,
         }
         (s.track != 0 ? shown.clusters : loose).push_back(std::move(s));
     }
-    const Eigen::Vector3f sensor = (frame.sensor - frame.origin).cast<float>();
-    std::size_t next = 0;
-    for (std::size_t i = 0; i < frame.points.size(); ++i)
-    {
-        const Eigen::Vector3f p(frame.points.x[i], frame.points.y[i], frame.points.z[i]);
-        const bool stands = next < above.index.size() && above.index[next] == i;
-        if (stands) ++next;
-        if (!((p - sensor).norm() < options.maxRange)) continue;
-        if (stands && clustered.count(identityOf(p.x(), p.y(), p.z())) != 0) continue;
-        (stands               ? shown.structure
-         : p.z() > sensor.z() ? shown.overhead
-                              : shown.ground)
-            .push_back(p);
-    }
+    shown = withOthers(std::move(shown), frame, above, clustered, options.maxRange);
     std::size_t left = options.hitsPerFrame;
     thin(shown.clusters, kFine, left / 3 * 2);
     left -= countOf(shown.clusters);

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Argoverse 2 (Wilson et al., NeurIPS 2021): boxes in the ego frame, and the ego frame's poses.
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <cstdint>
 #include <map>
-#include <stdexcept>
-#include <utility>
 
 #include "vdamf/files/csv.h"
 #include "vdamf/simulation/recording.h"

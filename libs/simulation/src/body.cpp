@@ -26,10 +26,7 @@ std::optional<SurfaceHit> leafHit(const Foliage& foliage, const Ray& ray, Random
     if (range >= inside->leave) return std::nullopt;
     return SurfaceHit{range, 1.0, Material::Foliage};
 }
-}  // namespace
 
-namespace
-{
 Body bodyOf(ObjectClass objectClass, const BodySize& size)
 {
     const Eigen::Vector3d extent(size.length, size.width, size.height);

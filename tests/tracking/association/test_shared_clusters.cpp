@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "vdamf/tracking/matched_filter/hits.h"
+
 namespace vdamf
 {
 namespace

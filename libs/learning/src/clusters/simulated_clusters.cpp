@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vdamf/learning/clusters/simulated_clusters.h"
 
-#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <stdexcept>

@@ -2,7 +2,6 @@
 #include "discrimination/silhouette.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <vector>

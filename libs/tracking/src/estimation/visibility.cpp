@@ -2,7 +2,6 @@
 #include "vdamf/tracking/estimation/visibility.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "estimation/by_size.h"

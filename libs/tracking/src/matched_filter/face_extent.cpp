@@ -2,7 +2,6 @@
 #include "matched_filter/face_extent.h"
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
 namespace vdamf

@@ -2,7 +2,6 @@
 #include "matched_filter/face_hull.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "matched_filter/body_profile.h"

@@ -2,7 +2,6 @@
 #include "vdamf/tracking/types/range_profile.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "vdamf/tracking/types/geometry.h"

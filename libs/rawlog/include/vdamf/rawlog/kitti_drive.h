@@ -26,7 +26,8 @@ struct KittiOxts
     int satellites = 0;
 };
 
-struct KittiScanFile
+/// A scan or sample in a file of its own.
+struct KittiFile
 {
     std::filesystem::path path;
     mrpt::Clock::time_point time;
@@ -37,8 +38,8 @@ struct KittiScanFile
 struct KittiDrive
 {
     std::filesystem::path folder;
-    std::vector<KittiOxts> oxts;       ///< by rising time
-    std::vector<KittiScanFile> scans;  ///< by rising time
+    std::vector<KittiOxts> oxts;   ///< by rising time
+    std::vector<KittiFile> scans;  ///< by rising time
     Eigen::Isometry3d velodyneInVehicle = Eigen::Isometry3d::Identity();
 };
 

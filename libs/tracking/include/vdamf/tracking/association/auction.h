@@ -6,8 +6,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "vdamf/tracking/matched_filter/hits.h"
 #include "vdamf/tracking/types/geometry.h"
+#include "vdamf/tracking/types/hits.h"
 #include "vdamf/tracking/types/options.h"
 
 namespace vdamf
