@@ -60,11 +60,16 @@ bool standsWithKnownLength(const Track& track)
 // where they are expected: they tell that it is there, and not where its faces are.
 bool isLastGlimpse(const Track& track, const Sighting& sighting, double margin)
 {
-    constexpr double kPart = 0.25;  // of the length
+    constexpr double kPart = 0.25;   // of the length
+    constexpr double kTurned = 0.2;  // rad
     if (!standsWithKnownLength(track)) return false;
     const bool isPart =
         std::hypot(sighting.around.length, sighting.around.width) < kPart * track.box().length;
-    return isPart && !sighting.measurement.hiddenEnds.empty() &&
+    // What stands does not turn either: hits on a corner alone may seem to.
+    const bool turned =
+        std::abs(std::remainder(sighting.measurement.box.heading - track.state.mean(kHeading),
+                                0.5 * kPi)) > kTurned;
+    return isPart && (turned || !sighting.measurement.hiddenEnds.empty()) &&
            isWithin(sighting.around, track.box(), margin);
 }
 
