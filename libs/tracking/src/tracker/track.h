@@ -50,6 +50,7 @@ struct Track
     double groundZ = 0.0;
     double height = 0.0;
     int sightings = 0;
+    int startedAt = 1;       ///< sighting at which its state was started, or started anew
     int misses = 0;          ///< frames since the last sighting
     double existence = 0.5;  ///< probability that there is an object
     double lastSeen = 0.0;   ///< s
