@@ -1,7 +1,8 @@
 # A random street scene for vdamf-simulate, to train the vehicle discriminator on:
-#   awk -v seed=1 -v sensor=HDL-32E [-v green=1] -f scripts/random-scene.awk > scene.ini
+#   awk -v seed=1 -v sensor=HDL-32E [-v green=1] [-v built=1] -f scripts/random-scene.awk > scene.ini
 # With green=1 what grows together stands together: trunks in hedges, cars under trees, walls with
-# corners, people in groups. Else all stands alone.
+# corners, people in groups. Else all stands alone. With built=1 fronts of houses line the street:
+# piers with windows, recesses of doors and passages between them, rooms behind.
 # Vehicles of any size between clutter of any size, in rows along the road. The numbers are from a
 # generator of its own, so that every awk makes the same scene of a seed.
 
@@ -140,6 +141,44 @@ function houses(y,    x, length_m)
     }
 }
 
+# What is between two piers of a front: a window, a door in its recess, a passage, steps or a box.
+function opening(x, y, side, length_m, height_m,    kind)
+{
+    kind = oneOf("window window window door door passage steps")
+    if (kind == "window")
+        object("wall", length_m, 0.3, between(0.4, 1.1), x + length_m / 2, y, 0, 0)
+    if (kind == "door" || kind == "steps")
+        object("wall", length_m, 0.1, height_m, x + length_m / 2, y + side * between(0.2, 1.3), 0, 0)
+    if (kind == "steps")
+        object("box", length_m, between(0.4, 1.2), between(0.3, 1.1), x + length_m / 2,
+               y - side * between(0.2, 0.6), 0, 0)
+}
+
+# Fronts of houses on one side of the street; `side`: 1 left, -1 right.
+function fronts(y, side,    x, end, pier, gap, height, at, room)
+{
+    for (x = between(-35, -25); x < 90; x = end + between(0, 6))
+    {
+        end = x + between(6, 20)
+        at = y + between(-1.5, 1.5)
+        height = between(3.2, 9)
+        room = between(0.8, 5)
+        if (random() < 0.8)  # the room's back, and what divides it
+            object("wall", end - x, 0.2, height, (x + end) / 2, at + side * room, 0, 0)
+        while (x < end)
+        {
+            pier = between(0.3, 2.5)
+            object("wall", pier, 0.4, height, x + pier / 2, at, 0, 0)
+            if (random() < 0.3)
+                object("wall", room, 0.2, height, x + pier / 2, at + side * room / 2, 90, 0)
+            x += pier
+            gap = between(0.8, 2.4)
+            opening(x, at, side, gap, height)
+            x += gap
+        }
+    }
+}
+
 # Standing objects in a row along the road; `turn`: largest angle to it.
 function row(y, vehicles, turn, gap,    x, class, heading, speed)
 {
@@ -174,6 +213,12 @@ BEGIN {
     lane(1.75, 180, between(4, 14))
     row(-4.6, 0.6, 4, 5)
     row(4.6, 0.6, 4, 5)
+    if (built)
+    {
+        fronts(-between(8, 12), -1)
+        fronts(between(8, 12), 1)
+        exit
+    }
     row(-8.6, 0.1, 40, 6)
     row(8.6, 0.1, 40, 6)
     row(-15, 0.35, 90, 6)

@@ -65,29 +65,25 @@ simulate line_scanner_3 "$root/datasets/scenarios/two_wheelers_and_people.ini" \
     --set sensor.model=LMS-511 --set sensor.z_m=0.6 --set sensor.x_m=3
 record line_scanner_3 "scene = two_wheelers_and_people"
 
-number=0
-for round in $(seq 11); do
-    for sensor in HDL-32E HDL-64E VLP-16; do
-        number=$((number + 1))
-        name=street_${number}_$sensor
-        awk -v seed=$number -v sensor=$sensor -f "$root/scripts/random-scene.awk" \
-            > "$work/$name.ini"
-        simulate "$name" "$work/$name.ini"
-        record "$name" "scene = $name"
+# streets KIND FIRST ROUNDS SENSORS [OPTION]: random streets with seeds from FIRST on, seen by the
+# sensors in turn; OPTION: of random-scene.awk.
+streets()
+{
+    local number=$2 sensor name
+    for _ in $(seq "$3"); do
+        for sensor in $4; do
+            name=$1_${number}_$sensor
+            awk -v seed="$number" -v sensor="$sensor" ${5:+-v "$5"} \
+                -f "$root/scripts/random-scene.awk" > "$work/$name.ini"
+            simulate "$name" "$work/$name.ini"
+            record "$name" "scene = $name"
+            number=$((number + 1))
+        done
     done
-done
-
-number=100
-for round in $(seq 9); do
-    for sensor in HDL-64E HDL-32E VLP-16; do
-        number=$((number + 1))
-        name=green_${number}_$sensor
-        awk -v seed=$number -v sensor=$sensor -v green=1 -f "$root/scripts/random-scene.awk" \
-            > "$work/$name.ini"
-        simulate "$name" "$work/$name.ini"
-        record "$name" "scene = $name"
-    done
-done
+}
+streets street 1 11 "HDL-32E HDL-64E VLP-16"
+streets green 101 9 "HDL-64E HDL-32E VLP-16" green=1
+streets built 201 4 "HDL-64E HDL-32E VLP-16" built=1
 
 if [ -n "$data" ] && [ -d "$data/2011_09_26" ]; then
     for drive in 0001 0005; do
@@ -95,7 +91,7 @@ if [ -n "$data" ] && [ -d "$data/2011_09_26" ]; then
         [ -f "$work/$name.csv" ] ||
             "$apps/vdamf-import" kitti-raw "$data/2011_09_26/2011_09_26_drive_${drive}_sync" \
                 -o "$work/$name.rawlog" --truth "$work/$name.csv" --overwrite
-        record "$name" "region_fov_deg = 70" "max_range_m = 60" "weight = 5"
+        record "$name" "scene = $name" "region_fov_deg = 70" "max_range_m = 60" "weight = 5"
         [ -z "$left_out" ] || options+=(--leave-out "$name")
     done
 else

@@ -8,7 +8,10 @@ namespace vdamf
 {
 std::vector<SparseFeature> toSparse(const std::vector<float>& features)
 {
+    // No more room than is needed: training holds those of all frames at once.
+    const auto zeros = std::count(features.begin(), features.end(), 0.0F);
     std::vector<SparseFeature> sparse;
+    sparse.reserve(features.size() - static_cast<std::size_t>(zeros));
     for (std::size_t i = 0; i < features.size(); ++i)
         if (features[i] != 0.0F) sparse.push_back({static_cast<std::uint32_t>(i), features[i]});
     return sparse;
