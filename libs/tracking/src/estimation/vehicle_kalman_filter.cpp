@@ -11,11 +11,12 @@
 #include <mrpt/bayes/CKalmanFilterCapable.h>
 #pragma pop_macro("MRPT_LOG_DEBUG")
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
 #include <type_traits>
 #include <utility>
+
+#include "types/cholesky.h"
 
 namespace mrpt::math
 {
@@ -135,7 +136,7 @@ public:
         runOneKalmanIteration();
 
         const Eigen::Matrix<double, 7, 4> follow =
-            covariance.llt().solve(withMeasured.transpose()).transpose();
+            Cholesky<4>(covariance).solveFromRight<7>(withMeasured);
         const Eigen::Matrix4d less = covariance - m_pkk.asEigen();
         const StateMatrix p = state.covariance - follow * less * follow.transpose();
         VehicleState next = state;
