@@ -59,7 +59,7 @@ TEST(LastGlimpse, TellsThatAParkedCarIsThereAndNotWhere)
     const TrackerOptions options;
     VehicleKalmanFilter filter{options.motion};
     Track track = parkedFor(20, filter);
-    ASSERT_GT(track.hypotheses.standingProbability, 0.5);
+    ASSERT_GT(track.hypotheses->standingProbability, 0.5);
     track.misses = 1;
     const Track after = sightedTrack(track, glimpseAt(2.1), 0.0, filter, options);
     EXPECT_EQ(after.state.mean, track.state.mean);

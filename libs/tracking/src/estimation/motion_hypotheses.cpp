@@ -103,10 +103,11 @@ struct Foretold
 {
     std::vector<Surprise> whole, jitter;
 
-    void add(const VehicleState& then, const Measured& measured)
+    void add(const PlacedPoint& then, const PlacedPoint& measuredWhole,
+             const PlacedPoint& measuredJitter)
     {
-        whole.push_back(surpriseOf(then, measured.whole));
-        jitter.push_back(surpriseOf(then, measured.jitter));
+        whole.push_back(surpriseOf(then, measuredWhole));
+        jitter.push_back(surpriseOf(then, measuredJitter));
     }
 };
 
@@ -190,10 +191,12 @@ MotionHypotheses interacting(const MotionHypotheses& h, double dt)
 VehicleState MotionHypotheses::combined(const MotionOptions& options) const
 {
     const double freeShare = share(freeProbability);
+    const double standingShare = share(standingProbability);
+    if (standingShare == 1.0) return standing;
     const VehicleState wheels = onWheels(*this);
     const VehicleState moving =
         freeShare > 0.0 ? mixed(wheels, variableAxisOf(free, wheels, options), freeShare) : wheels;
-    return mixed(moving, standing, share(standingProbability));
+    return standingShare > 0.0 ? mixed(moving, standing, standingShare) : moving;
 }
 
 MotionHypotheses hypothesesFrom(const VehicleState& state, const MotionOptions& options)
@@ -238,13 +241,8 @@ MotionHypotheses drifted(const MotionHypotheses& h, const Eigen::Matrix3d& lasti
                          double viewChange)
 {
     MotionHypotheses next = h;
-    next.forEach(
-        [&](VehicleState state)
-        {
-            state.covariance.topLeftCorner<3, 3>() +=
-                std::min(1.0, 2.0 * viewChange) * lastingError;
-            return state;
-        });
+    const Eigen::Matrix3d less = std::min(1.0, 2.0 * viewChange) * lastingError;
+    next.forEach([&](VehicleState& state) { state.covariance.topLeftCorner<3, 3>() += less; });
     return next;
 }
 
@@ -258,8 +256,12 @@ MotionHypotheses updated(const MotionHypotheses& h, const BoxMeasurement& measur
     for (VehicleState& state : next.driving) states.push_back(&state);
     states.push_back(&next.standing);
     if (h.freeProbability > 0.0) states.push_back(&next.free);
+    const PlacedPoint whole = measuredPoint(measured.whole);
+    const PlacedPoint sharpest = measuredPoint(measured.jitter);
     for (const VehicleState* state : states)
-        foretold.add(stateAt(*state, measurement.lag, filter.options()), measured);
+        foretold.add(foretoldPoint(stateAt(*state, measurement.lag, filter.options()),
+                                   measurement.fixedPoint),
+                     whole, sharpest);
     const std::vector<Surprise>& sharp = foretold.jitter;
 
     const std::vector<double> likelihood =

@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "estimation/surprise.h"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
+#include "types/cholesky.h"
+
 namespace vdamf
 {
-Surprise surpriseOf(const VehicleState& state, const BoxMeasurement& measurement)
+Surprise surpriseOf(const PlacedPoint& foretold, const PlacedPoint& measured)
 {
-    const Innovation innovation = innovationOf(state, measurement);
-    return {innovation.nis(), std::log(innovation.covariance.determinant())};
+    const Innovation innovation = innovationOf(foretold, measured);
+    const Cholesky<3> factors(innovation.covariance);
+    return {factors.squaredNorm(innovation.value), std::log(factors.determinant())};
 }
 
 std::vector<double> likelihoods(const std::vector<Surprise>& foretold, double gate)

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "vdamf/tracking/estimation/vehicle_kalman_filter.h"
+#include "vdamf/tracking/estimation/box_measurement.h"
 
 namespace vdamf
 {
@@ -14,7 +14,7 @@ struct Surprise
     double logVolume = 0.0;  ///< of the innovation's covariance
 };
 
-Surprise surpriseOf(const VehicleState& state, const BoxMeasurement& measurement);
+Surprise surpriseOf(const PlacedPoint& foretold, const PlacedPoint& measured);
 
 /// Likelihoods of a measurement by hypotheses, relative to the best one. What surprises all of them
 /// says little: it counts for as much less as it lies outside the gate of the nearest one.

@@ -56,24 +56,11 @@ bool isWithin(const OrientedBox& hits, const OrientedBox& box, double margin)
 bool isLastGlimpse(const Track& track, const Sighting& sighting, double margin)
 {
     constexpr double kPart = 0.25;  // of the length
-    if (track.hypotheses.standingProbability < 0.5 || !track.told.length) return false;
+    if (track.hypotheses->standingProbability < 0.5 || !track.told.length) return false;
     const bool isPart =
         std::hypot(sighting.around.length, sighting.around.width) < kPart * track.box().length;
     return isPart && !sighting.measurement.hiddenEnds.empty() &&
            isWithin(sighting.around, track.box(), margin);
-}
-
-Track stillThere(Track track, const Measurement& m, double time, const LifecycleOptions& options)
-{
-    track.measurement = m;
-    ++track.sightings;
-    track.misses = 0;
-    track.lastSeen = time;
-    track = withHit(std::move(track), options);
-    if (track.status == TrackStatus::Coasting ||
-        (track.status == TrackStatus::Tentative && track.sightings >= options.confirmHits))
-        track.status = TrackStatus::Confirmed;
-    return track;
 }
 }  // namespace
 
@@ -94,7 +81,7 @@ Track startedTrack(std::uint64_t id, const Sighting& sighting, const StartSpeed&
     const VehicleState seen =
         startState(m, sighting.height, sighting.sensor, speed, options.visibility, options.motion);
     track.state = stateAt(seen, -sighting.lag, options.motion);
-    track.hypotheses = hypothesesFrom(track.state, options.motion);
+    *track.hypotheses = hypothesesFrom(track.state, options.motion);
     track.groundZ = sighting.groundZ;
     track.height = sighting.height;
     track.sightings = 1;
@@ -104,6 +91,7 @@ Track startedTrack(std::uint64_t id, const Sighting& sighting, const StartSpeed&
     track.around = inFrameOf(seen.box(), sighting.around);
     track.front = HeadingBelief(sizeCues(sighting, track.height));
     track.measurement = m;
+    track.hits = m.hits;
     track.lastMatch = m.match;
     if (options.lifecycle.confirmHits <= 1) track.status = TrackStatus::Confirmed;
     appendToPath(track, {sighting.time + sighting.lag, seen.box(), locatedFaces(m)});
@@ -116,11 +104,14 @@ Track sightedTrack(Track track, const Sighting& sighting, double neighbours,
     const VisibilityOptions& visibility = options.visibility;
     const Measurement m = alignedWith(
         sighting.measurement, stateAt(track.state, sighting.lag, options.motion).mean(kHeading));
+    track.measurement = m;
+    track.hits = m.hits;
     if (isLastGlimpse(track, sighting, options.association.surfaceSigma))
-        return stillThere(std::move(track), m, sighting.time, options.lifecycle);
-    MotionHypotheses hypotheses = track.hypotheses;
-    hypotheses.forEach([&](const VehicleState& state)
-                       { return grownToAVehicle(state, m, track.height, track.told, visibility); });
+        return stillThere(std::move(track), sighting.time, options.lifecycle);
+    MotionHypotheses& hypotheses = *track.hypotheses;
+    hypotheses.forEach(
+        [&](VehicleState& state)
+        { state = grownToAVehicle(state, m, track.height, track.told, visibility); });
     const VehicleState then =
         stateAt(hypotheses.combined(options.motion), sighting.lag, options.motion);
     BoxMeasurement box =
@@ -129,34 +120,43 @@ Track sightedTrack(Track track, const Sighting& sighting, double neighbours,
     const JitterShares jitter = track.jitter;  // before this sighting
     track.nis = innovationOf(then, withJitterAlone(box, jitter)).nis();
     hypotheses.forEach(
-        [&](const VehicleState& state)
-        { return openToGrowth(state, broughtTo(state, m, box.lag, options.motion), visibility); });
+        [&](VehicleState& state)
+        { state = openToGrowth(state, broughtTo(state, m, box.lag, options.motion), visibility); });
     track.jitter = jitter.after(then, box, sighting.time - track.lastSeen);
-    track.hypotheses = updated(hypotheses, box, jitter, filter, options.lifecycle.nisGate);
-    if (track.sightings == 1) track.hypotheses.forEach(withUsualCurvature);
+    hypotheses = updated(hypotheses, box, jitter, filter, options.lifecycle.nisGate);
+    if (track.sightings == 1)
+        hypotheses.forEach([](VehicleState& state) { state = withUsualCurvature(state); });
     track.lastingError = lastingError(box, jitter);
     track.told = track.told.with(m);
     track.around = inFrameOf(then.box(), sighting.around);
-    track.state = track.hypotheses.combined(options.motion);
+    track.state = hypotheses.combined(options.motion);
     track.lastMatch = m.match;
     track.groundZ = sighting.groundZ;
     track.height = std::max(sighting.height, 0.95 * track.height + 0.05 * sighting.height);
-    track = stillThere(std::move(track), m, sighting.time, options.lifecycle);
+    track = stillThere(std::move(track), sighting.time, options.lifecycle);
     const Vector5d& b = box.box;
     appendToPath(track,
                  {sighting.time + sighting.lag, {b(0), b(1), b(2), b(3), b(4)}, locatedFaces(m)});
     return withCheckedHeading(std::move(track), sighting, neighbours, options);
 }
 
+Track stillThere(Track track, double time, const LifecycleOptions& options)
+{
+    ++track.sightings;
+    track.misses = 0;
+    track.lastSeen = time;
+    track = withHit(std::move(track), options);
+    if (track.status == TrackStatus::Coasting ||
+        (track.status == TrackStatus::Tentative && track.sightings >= options.confirmHits))
+        track.status = TrackStatus::Confirmed;
+    return track;
+}
+
 Track movedBy(Track track, const Eigen::Vector3d& by)
 {
-    const auto moved = [&](VehicleState state)
-    {
-        state.mean.head<2>() += by.head<2>();
-        return state;
-    };
-    track.hypotheses.forEach(moved);
-    track.state = moved(track.state);
+    const auto move = [&](VehicleState& state) { state.mean.head<2>() += by.head<2>(); };
+    track.hypotheses->forEach(move);
+    move(track.state);
     for (PathPoint& point : track.path)
     {
         point.box.x += by.x();
@@ -170,17 +170,19 @@ Track movedBy(Track track, const Eigen::Vector3d& by)
 Track predictedTrack(Track track, double dt, const Eigen::Vector2d& sensor,
                      VehicleKalmanFilter& filter, const MotionOptions& options)
 {
-    const View before = viewOf(track.hypotheses.driving.front().box(), track.seenFrom);
-    track.hypotheses = predicted(track.hypotheses, dt, filter, options);
-    const View now = viewOf(track.hypotheses.driving.front().box(), sensor);
-    track.hypotheses = drifted(track.hypotheses, track.lastingError, changeOfView(before, now));
+    track.stoodProbability = track.hypotheses->standingProbability;
+    const View before = viewOf(track.hypotheses->driving.front().box(), track.seenFrom);
+    const MotionHypotheses later = predicted(*track.hypotheses, dt, filter, options);
+    const View now = viewOf(later.driving.front().box(), sensor);
+    *track.hypotheses = drifted(later, track.lastingError, changeOfView(before, now));
     track.seenFrom = sensor;
     // Unseen, a vehicle is likelier to go straight on than to keep turning in a circle.
     constexpr double kTurnTime = 0.7;  // s
     if (track.misses > 0)
-        for (VehicleState& state : track.hypotheses.driving)
+        for (VehicleState& state : track.hypotheses->driving)
             state.mean(kCurvature) *= std::exp(-dt / kTurnTime);
-    track.state = track.hypotheses.combined(options);
+    track.state = track.hypotheses->combined(options);
+    track.hits = 0;
     track.measurement.reset();
     track.nis.reset();
     track.judgement.features.clear();
@@ -222,9 +224,9 @@ TrackReport reportOf(const Track& track, const VisibilityOptions& options,
     report.covariance.diagonal() += Eigen::Vector4d(position, position, heading, 0.0);
     report.lengthVariance = track.state.covariance(kLength, kLength) + size;
     report.widthVariance = track.state.widthVariance + size;
+    report.points = track.hits;
     if (track.measurement)
     {
-        report.points = track.measurement->hits;
         report.match = track.measurement->match;
         report.facesSeen = track.measurement->facesSeen;
         report.measuredBox = inWorld(track.measurement->box);
