@@ -62,7 +62,7 @@ double bounded(double probability)
     return std::clamp(probability, kLeast, 1.0 - kLeast);
 }
 
-using Ways = std::array<double, MotionHypotheses::kWays>;
+using Ways = Mixture::Weights;
 
 // The same in proportion, with a sum of 1; nothing is ruled out.
 Ways asProbabilities(Ways weights)
@@ -74,21 +74,6 @@ Ways asProbabilities(Ways weights)
         for (double& each : weights) each /= sum;
     }
     return weights;
-}
-
-// Mean and covariance of all of them with these probabilities; steering as of the one at `own`.
-VehicleState mixture(const std::array<VehicleState, MotionHypotheses::kWays>& states,
-                     const Ways& probabilities, std::size_t own)
-{
-    VehicleState all = states[own];
-    double sum = probabilities[own];
-    for (std::size_t k = 0; k < states.size(); ++k)
-    {
-        if (k == own) continue;
-        sum += probabilities[k];
-        all = mixed(all, states[k], probabilities[k] / sum);
-    }
-    return all;
 }
 
 // A measured box, whole and with its jitter alone.
@@ -164,13 +149,14 @@ Rest restOf(const MotionHypotheses& h, const std::vector<Surprise>& foretold, do
 
 VehicleState onWheels(const MotionHypotheses& h)
 {
-    return mixture(h.driving, h.drivingProbability, 0);
+    return Mixture(h.driving).of(h.drivingProbability, 0);
 }
 
 // Each starts from what all know, weighed with the odds that it came from there.
 MotionHypotheses interacting(const MotionHypotheses& h, double dt)
 {
     MotionHypotheses next = h;
+    const Mixture mixture(h.driving);
     for (std::size_t to = 0; to < h.kWays; ++to)
     {
         Ways from{};
@@ -182,7 +168,7 @@ MotionHypotheses interacting(const MotionHypotheses& h, double dt)
                       (k == to ? stays : (1.0 - stays) * kRates[k][to] / leaves);
         }
         next.drivingProbability[to] = std::accumulate(from.begin(), from.end(), 0.0);
-        next.driving[to] = mixture(h.driving, from, to);
+        next.driving[to] = mixture.of(from, to);
     }
     return next;
 }
