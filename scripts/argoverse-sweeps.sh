@@ -7,7 +7,10 @@
 # their names: the sweep seven times over, as seen by a vehicle that stands among what stands, so that
 # its objects become tracks; with all 64 lasers, 32 of them and 16.
 set -euo pipefail
+[ $# -eq 3 ] || { sed -n '4s/^# *//p' "$0" >&2; exit 2; }
 log=$1 out=$2 name=$3
+[ -f "$log/annotations.csv" ] || { echo "$log: no annotations.csv of an Argoverse 2 log" >&2; exit 1; }
+[ -d "$out" ] || { echo "$out: no such folder" >&2; exit 1; }
 root=$(cd "$(dirname "$0")/.." && pwd)
 apps=${VDAMF_APPS:-$root/build/${VDAMF_PRESET:-release}/apps}
 work=$(mktemp -d)

@@ -22,6 +22,11 @@ done
 if [ ${#targets[@]} -eq 0 ]; then
     for source in fuzz/targets/*.cpp; do targets+=("$(basename "$source" .cpp)"); done
 fi
+for target in "${targets[@]}"; do
+    [ -f "fuzz/targets/$target.cpp" ] && continue
+    echo "no target $target; there are:" $(basename -s .cpp fuzz/targets/*.cpp) >&2
+    exit 2
+done
 
 if ! command -v clang++ >/dev/null; then
     sudo=$([ "$(id -u)" -eq 0 ] || echo sudo)

@@ -3,6 +3,9 @@
 # lists that are named: scripts/install-packages.sh [list]...
 set -euo pipefail
 cd "$(dirname "$0")/.."
+for list in packages.txt "$@"; do
+    [ -r "$list" ] || { echo "$list: no such list of packages" >&2; exit 2; }
+done
 missing=()
 while read -r package; do
     dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q '^install ok installed' ||

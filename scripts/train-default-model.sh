@@ -18,6 +18,8 @@ left_out=
 model=$root/models/vehicle.txt
 while [ $# -gt 0 ]; do
     case $1 in
+        --data | --work | --model)
+            [ $# -gt 1 ] || { echo "$1 needs a value" >&2; exit 2; } ;;&
         --data) data=$2; shift 2 ;;
         --work) work=$2; shift 2 ;;
         --model) model=$2; shift 2 ;;
@@ -25,6 +27,7 @@ while [ $# -gt 0 ]; do
         *) options+=("$1"); shift ;;
     esac
 done
+[ -z "$data" ] || [ -d "$data" ] || { echo "$data: no such folder of recordings" >&2; exit 2; }
 [ -x "$apps/vdamf-train" ] || "$root/scripts/build.sh" "$preset"
 mkdir -p "$work"
 work=$(cd "$work" && pwd)

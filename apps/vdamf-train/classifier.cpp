@@ -8,10 +8,10 @@
 #include <stdexcept>
 
 #include "collect.h"
+#include "outputs.h"
 #include "pictures.h"
 #include "quality.h"
 #include "vdamf/files/numbers.h"
-#include "vdamf/files/output_file.h"
 
 namespace vdamf
 {
@@ -43,7 +43,9 @@ Collection collect(const ClassifierJob& job, const std::atomic<bool>& stop)
     for (std::size_t i = 0; i < job.recordings.size(); ++i)
     {
         const Recording& recording = job.recordings[i];
-        Tracks tracks = collectSamples(recording, i, job.configuration, job.grid, stop);
+        Tracks tracks = namingRecording(
+            recording.name,
+            [&] { return collectSamples(recording, i, job.configuration, job.grid, stop); });
         const bool isTest = recording.options.use == RecordingUse::Test;
         if (!job.quiet)
             std::fprintf(stderr, "%s%s: %s\n", recording.name.c_str(), isTest ? " (test)" : "",
@@ -107,7 +109,6 @@ bool isCalled(const Recording& recording, const std::string& name)
 /// How well a model does on a recording, or on all of a scene, that it knows nothing of.
 void tellLeftOut(const ClassifierJob& job, Tracks& all, const std::string& name, double cost)
 {
-    if (!job.quiet) std::fprintf(stderr, "training without %s\n", name.c_str());
     Tracks without;
     Tracks leftOut;
     for (TrackSamples& track : all)
@@ -144,15 +145,21 @@ std::string heldOutTable(const ClassifierJob& job, const std::vector<HeldOutFram
     return text;
 }
 
-void write(const ClassifierJob& job, const std::filesystem::path& path, const std::string& text)
+std::filesystem::path pictureFile(const ClassifierJob& job, const std::string& name)
 {
-    const auto existing =
-        job.overwrite ? OutputFile::Existing::Overwrite : OutputFile::Existing::Refuse;
-    OutputFile file(path, existing, OutputFile::Unfinished::Discard);
-    file.write(text);
-    file.commit();
+    return job.plots / (name + ".svg");
 }
 }  // namespace
+
+std::vector<std::filesystem::path> outputsOf(const ClassifierJob& job)
+{
+    std::vector<std::filesystem::path> outputs = {job.model};
+    if (!job.heldOut.empty()) outputs.push_back(job.heldOut);
+    if (!job.plots.empty())
+        for (const std::string& name : classifierPictureNames())
+            outputs.push_back(pictureFile(job, name));
+    return outputs;
+}
 
 void checkLeaveOut(const ClassifierJob& job)
 {
@@ -169,12 +176,13 @@ void checkLeaveOut(const ClassifierJob& job)
 
 void trainClassifier(const ClassifierJob& job, const std::atomic<bool>& stop)
 {
-    const auto existing =
-        job.overwrite ? OutputFile::Existing::Overwrite : OutputFile::Existing::Refuse;
-    OutputFile file(job.model, existing, OutputFile::Unfinished::Discard);
+    checkFiles(job.recordings);
+    if (!job.plots.empty()) std::filesystem::create_directories(job.plots);
+    Outputs outputs(outputsOf(job), job.overwrite);
     Collection collection = collect(job, stop);
     const auto progress = [&](const std::string& line)
     {
+        if (stop) throw std::runtime_error("interrupted");
         if (!job.quiet) std::fprintf(stderr, "%s\n", line.c_str());
     };
     Training training = trainClassifier(collection.train, job.grid, job.training, progress);
@@ -184,24 +192,23 @@ void trainClassifier(const ClassifierJob& job, const std::atomic<bool>& stop)
                 countsText(training.counts).c_str(), qualityText(quality).c_str());
     const std::vector<HeldOutFrame> tested = judge(training.model, collection.test);
     if (!tested.empty()) tellTests(job, tested);
-    file.write(toText(training.model));
-    file.commit();
+    outputs.write(job.model, toText(training.model));
     std::fflush(stdout);
     if (!job.heldOut.empty())
     {
         std::vector<HeldOutFrame> all = training.heldOut;
         all.insert(all.end(), tested.begin(), tested.end());
-        write(job, job.heldOut, heldOutTable(job, all));
+        outputs.write(job.heldOut, heldOutTable(job, all));
     }
     if (!job.plots.empty())
-    {
-        std::filesystem::create_directories(job.plots);
         for (const Picture& picture : classifierPictures(training.model, quality, collection.train))
-            write(job, job.plots / (picture.name + ".svg"), picture.svg);
-    }
+            outputs.write(pictureFile(job, picture.name), picture.svg);
     // Last, as it moves the samples about.
     for (const std::string& name : job.leaveOut)
+    {
+        progress("training without " + name);
         tellLeftOut(job, collection.train, name, training.cost);
+    }
 }
 
 }  // namespace vdamf

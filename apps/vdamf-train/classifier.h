@@ -28,6 +28,9 @@ struct ClassifierJob
     std::string version;
 };
 
+/// All files that the job writes.
+std::vector<std::filesystem::path> outputsOf(const ClassifierJob& job);
+
 /// Throws std::runtime_error for a name to leave out that no recording to train on has.
 void checkLeaveOut(const ClassifierJob& job);
 

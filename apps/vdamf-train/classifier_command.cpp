@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "classifier_command.h"
 
-#include "pictures.h"
-
 namespace vdamf
 {
 void declareClassifier(CLI::App& command, ClassifierCommandLine& line)
@@ -48,12 +46,7 @@ ClassifierJob prepared(const ClassifierCommandLine& line)
     job.configuration = readConfiguration(line.inputs);
     checkLeaveOut(job);
     job.version = VDAMF_VERSION;
-    std::vector<std::filesystem::path> outputs = {job.model};
-    if (!job.heldOut.empty()) outputs.push_back(job.heldOut);
-    if (!job.plots.empty())
-        for (const std::string& name : classifierPictureNames())
-            outputs.push_back(job.plots / (name + ".svg"));
-    checkOutputPaths(outputs, namedInputs(line.inputs, job.recordings));
+    checkOutputPaths(outputsOf(job), namedInputs(line.inputs, job.recordings));
     return job;
 }
 

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "vdamf/learning/label.h"
-#include "vdamf/rawlog/track_rawlog.h"
 
 namespace vdamf
 {
@@ -65,11 +64,19 @@ Collected track(const Recording& recording, std::uint64_t firstTrack,
         trackRawlog(job, stop,
                     [&](const LadarFrame& frame, const FrameResult& result, double)
                     { take(all, frame, result, firstTrack); });
-    if (!summary.readError.empty()) throw ReadError(summary.readError);
-    if (summary.interrupted) throw std::runtime_error("interrupted");
+    checkReadWhole(summary, recording.rawlog);
     return all;
 }
 }  // namespace
+
+void checkReadWhole(const TrackRawlogSummary& run, const std::filesystem::path& rawlog)
+{
+    if (run.interrupted) throw std::runtime_error("interrupted");
+    if (!run.readError.empty()) throw ReadError(run.readError);
+    if (run.read.truncated)
+        throw std::runtime_error(rawlog.string() + ": truncated: " + run.read.truncation +
+                                 "; copy it again, or leave it out");
+}
 
 std::vector<TrackSamples> collectSamples(const Recording& recording, std::size_t index,
                                          const Configuration& configuration,

@@ -10,8 +10,8 @@
 
 #include "filter_clusters.h"
 #include "held_out.h"
+#include "outputs.h"
 #include "vdamf/files/numbers.h"
-#include "vdamf/files/output_file.h"
 #include "vdamf/rawlog/filter_file.h"
 
 namespace vdamf
@@ -53,7 +53,8 @@ Collection collect(const FilterJob& job, const std::atomic<bool>& stop)
         take(all, job, source.name, source.options.use, clustersOf(source));
     for (const FilterRecording& recording : job.sources.recordings)
         take(all, job, recording.name, recording.options.use,
-             clustersOf(recording, job.configuration, stop));
+             namingRecording(recording.name,
+                             [&] { return clustersOf(recording, job.configuration, stop); }));
     if (all.train.empty()) throw std::runtime_error("nothing to train on: all is for testing");
     return all;
 }
@@ -118,11 +119,17 @@ void tell(const std::string& title, const std::vector<HeldOutCondition>& conditi
 }
 }  // namespace
 
+std::vector<std::filesystem::path> outputsOf(const FilterJob& job)
+{
+    std::vector<std::filesystem::path> outputs = {job.filters};
+    if (!job.table.empty()) outputs.push_back(job.table);
+    return outputs;
+}
+
 void trainFilter(const FilterJob& job, const std::atomic<bool>& stop)
 {
-    const auto existing =
-        job.overwrite ? OutputFile::Existing::Overwrite : OutputFile::Existing::Refuse;
-    OutputFile file(job.filters, existing, OutputFile::Unfinished::Discard);
+    checkFiles(job.sources.recordings);
+    Outputs outputs(outputsOf(job), job.overwrite);
     const Collection all = collect(job, stop);
     Progress progress(job.quiet, stop);
     const MeasureOptions& handSet = job.configuration.tracker.measurement;
@@ -135,13 +142,10 @@ void trainFilter(const FilterJob& job, const std::atomic<bool>& stop)
                 toFixedText(training.after, 4).c_str(), toFixedText(training.before, 4).c_str());
     tell("\nCross-validation", training.heldOut, isBank);
     tell("\nTest, not trained on", tested, isBank);
-    file.write(toText(training.bank));
-    file.commit();
+    outputs.write(job.filters, toText(training.bank));
     if (job.table.empty()) return;
-    OutputFile table(job.table, existing, OutputFile::Unfinished::Discard);
-    table.write(heldOutHeader() + heldOutRows("fold", training.heldOut) +
-                heldOutRows("test", tested));
-    table.commit();
+    outputs.write(job.table, heldOutHeader() + heldOutRows("fold", training.heldOut) +
+                                 heldOutRows("test", tested));
 }
 
 }  // namespace vdamf

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "filter_sources.h"
 #include "vdamf/learning/train_filter.h"
@@ -25,6 +26,9 @@ struct FilterJob
 };
 
 /// Runs the job and prints what came out. Throws std::runtime_error.
+/// All files that the job writes.
+std::vector<std::filesystem::path> outputsOf(const FilterJob& job);
+
 void trainFilter(const FilterJob& job, const std::atomic<bool>& stop);
 
 }  // namespace vdamf

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "collect.h"
 #include "vdamf/evaluation/sequence.h"
 #include "vdamf/learning/clusters/label_hits.h"
 #include "vdamf/learning/clusters/simulated_clusters.h"
-#include "vdamf/rawlog/track_rawlog.h"
 #include "vdamf/tracking/preprocessing/clustering.h"
 
 namespace vdamf
@@ -123,7 +123,7 @@ std::vector<LabelledClusters> clustersOf(const FilterRecording& recording,
     const TrackRawlogSummary summary = trackRawlog(
         job, stop,
         [&](const LadarFrame& frame, const FrameResult&, double) { collector.take(frame); });
-    if (summary.interrupted) throw std::runtime_error("interrupted");
+    checkReadWhole(summary, recording.rawlog);
     std::vector<LabelledClusters> conditions = collector.conditions();
     if (conditions[0].samples.empty())
         throw std::runtime_error(recording.truth.string() +

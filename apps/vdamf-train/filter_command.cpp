@@ -35,9 +35,7 @@ FilterJob prepared(const FilterCommandLine& line)
     job.sources = readFilterSources(readList(line.inputs));
     job.configuration = readConfiguration(line.inputs);
     job.version = VDAMF_VERSION;
-    std::vector<std::filesystem::path> outputs = {job.filters};
-    if (!job.table.empty()) outputs.push_back(job.table);
-    checkOutputPaths(outputs, namedInputs(line.inputs, job.sources.recordings));
+    checkOutputPaths(outputsOf(job), namedInputs(line.inputs, job.sources.recordings));
     return job;
 }
 

@@ -51,6 +51,6 @@ int main(int argc, char** argv)
         argc, argv,
         {"vdamf-train", "Learns from recordings with truth.",
          "Examples:\n  vdamf-train classifier recordings.ini -o vehicle.txt --plots plots\n"
-         "  vdamf-train filter sources.ini -o filters.ini",
+         "  vdamf-train filter sources.ini -o filters.txt",
          [&](CLI::App& app) { declare(app, line); }, [&] { line.prepare(); }, work});
 }

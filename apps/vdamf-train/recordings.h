@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -91,6 +92,31 @@ std::vector<RecordingWith<Options>> readRecordings(IniReader& reader, const IniD
         recordings.push_back(std::move(r));
     }
     return recordings;
+}
+
+/// Throws std::runtime_error that names the recording where a file cannot be read or the truth has
+/// no rows: before others are worked on for long.
+void checkFiles(const std::string& name, const std::filesystem::path& rawlog,
+                const std::filesystem::path& truth);
+
+template <class Options>
+void checkFiles(const std::vector<RecordingWith<Options>>& recordings)
+{
+    for (const RecordingWith<Options>& r : recordings) checkFiles(r.name, r.rawlog, r.truth);
+}
+
+/// What `work` throws, with the recording's name before it.
+template <class Work>
+auto namingRecording(const std::string& name, const Work& work)
+{
+    try
+    {
+        return work();
+    }
+    catch (const std::runtime_error& error)
+    {
+        throw std::runtime_error("recording " + name + ": " + error.what());
+    }
 }
 
 /// A list of nothing else, with one at least. Throws as above.

@@ -27,6 +27,7 @@ struct Cli
 {
     std::string source = VDAMF_SOURCE_DIR;
     std::string apps = VDAMF_APPS_DIR;
+    std::string tracker;
     std::string data;
     std::string out;
     std::string config;
@@ -61,6 +62,10 @@ void declare(CLI::App& app, Cli& cli)
         ->check(CLI::ExistingFile);
     app.add_option("--out", cli.out, "folder for all outputs; default: results/regression");
     app.add_option("--apps", cli.apps, "folder of the programs; default: those of the build");
+    app.add_option("--tracker", cli.tracker,
+                   "another program, called as vdamf-track is (-c, -i, --tracks, --set, "
+                   "--overwrite), to compare with; has no bounds")
+        ->check(CLI::ExistingFile);
     app.add_option("--source", cli.source, "source tree with datasets/ and config.ini")
         ->check(CLI::ExistingDirectory);
     app.add_option("--jobs", cli.jobs, "runs at once; default: one a core")
@@ -78,6 +83,7 @@ Cli completed(Cli cli)
     if (cli.bounds.empty())
         cli.bounds = (source / "benchmarks" / "regression" / "bounds.csv").string();
     if (cli.out.empty()) cli.out = (source / "results" / "regression").string();
+    if (!cli.tracker.empty()) cli.tracker = fs::absolute(cli.tracker).string();
     return cli;
 }
 
@@ -105,7 +111,8 @@ struct Results
 
 Results resultsOf(const std::vector<vdamf::RegressionScenario>& scenarios, const Cli& cli)
 {
-    const vdamf::RunOptions options{cli.apps, cli.config, cli.set, cli.out, cli.keep, cli.jobs};
+    const vdamf::RunOptions options{cli.apps, cli.tracker, cli.config, cli.set,
+                                    cli.out,  cli.keep,    cli.jobs};
     std::size_t count = 0;
     const auto told = [&](const vdamf::RunOutcome& run)
     {
@@ -131,7 +138,8 @@ int run(const Cli& cli)
     auto scenarios = vdamf::chosenFrom(catalogue, cli.only, cli.fast);
     if (cli.seeds > 0) scenarios = vdamf::withSeeds(scenarios, cli.seeds);
     // Read first: the earlier table may be the one that is about to be replaced.
-    const std::vector<vdamf::Bound> bounds = vdamf::readBounds(cli.bounds);
+    std::vector<vdamf::Bound> bounds;
+    if (cli.tracker.empty()) bounds = vdamf::readBounds(cli.bounds);
     std::vector<vdamf::RegressionRow> before;
     if (!cli.compare.empty()) before = vdamf::readRegressionTable(cli.compare);
     if (!cli.fast && cli.only.empty())

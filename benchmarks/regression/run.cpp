@@ -50,8 +50,14 @@ std::vector<std::string> trackCommand(const RegressionScenario& scenario, const 
                                       const RunOptions& options)
 {
     std::vector<std::string> command = {
-        "vdamf-track",        "-c",       options.config.string(), "-i",
-        files.scans.string(), "--tracks", files.tracks.string(),   "--overwrite"};
+        options.tracker.empty() ? "vdamf-track" : options.tracker.string(),
+        "-c",
+        options.config.string(),
+        "-i",
+        files.scans.string(),
+        "--tracks",
+        files.tracks.string(),
+        "--overwrite"};
     command.insert(command.end(), scenario.track.begin(), scenario.track.end());
     for (const std::string& assignment : options.set)
         command.insert(command.end(), {"--set", assignment});

@@ -17,6 +17,7 @@ namespace vdamf
 struct RunOptions
 {
     std::filesystem::path programs;  ///< folder of vdamf-track and the others
+    std::filesystem::path tracker;   ///< called in place of vdamf-track; empty: that
     std::filesystem::path config;    ///< of vdamf-track
     std::vector<std::string> set;    ///< section.key=value over it
     std::filesystem::path out;       ///< each scenario has a folder of its own in it

@@ -18,6 +18,7 @@ namespace vdamf
 namespace
 {
 using testing::HasSubstr;
+using testing::Not;
 namespace fs = std::filesystem;
 
 const std::string kStreet = VDAMF_SOURCE_DIR "/datasets/street/";
@@ -155,6 +156,47 @@ TEST_F(Train, NeedsEnoughGroups)
     make("list.ini", "[recording a]\nrawlog = missing.rawlog\ntruth = " + kStreet + "truth.csv\n");
     EXPECT_EQ(run("vdamf-train", "classifier list.ini -q -o m.txt"), 1);
     EXPECT_THAT(output_, HasSubstr("missing.rawlog"));
+}
+
+TEST_F(Train, RefusesARawlogThatEndsEarly)
+{
+    const std::string rawlog = readTextFile(kStreet + "street.rawlog");
+    make("cut.rawlog", rawlog.substr(0, rawlog.size() / 20));
+    make("list.ini", "[recording cut]\nrawlog = cut.rawlog\ntruth = " + kStreet + "truth.csv\n");
+    for (const std::string what : {"classifier", "filter"})
+    {
+        EXPECT_EQ(run("vdamf-train", what + " list.ini -q -o m.txt"), 1);
+        EXPECT_THAT(output_, HasSubstr("recording cut: "));
+        EXPECT_THAT(output_, HasSubstr("cut.rawlog: truncated: "));
+    }
+    EXPECT_FALSE(fs::exists(at("m.txt")));
+}
+
+TEST_F(Train, WhatCannotBeReadOrWrittenIsToldBeforeTheWork)
+{
+    const auto errorOf = [&](const std::string& more, const std::string& options = "")
+    {
+        // Progress, which is not quiet, begins with the first recording that was worked on.
+        makeList(more);
+        EXPECT_EQ(run("vdamf-train", "classifier list.ini -o m.txt" + options), 1) << output_;
+        EXPECT_THAT(output_, Not(HasSubstr("vehicle tracks")));
+        EXPECT_FALSE(fs::exists(at("m.txt")));
+        return output_;
+    };
+    const std::string second =
+        "[recording second]\nrawlog = " + kStreet + "street.rawlog\ntruth = ";
+    EXPECT_THAT(errorOf(second + "none.csv\n"), HasSubstr("recording second: "));
+    EXPECT_THAT(output_, HasSubstr("none.csv: cannot read"));
+    const std::string truth = readTextFile(kStreet + "truth.csv");
+    make("empty.csv", truth.substr(0, truth.find('\n') + 1));
+    EXPECT_THAT(errorOf(second + "empty.csv\n"), HasSubstr("empty.csv: has no rows"));
+    make("held.csv", "mine");
+    EXPECT_THAT(errorOf("", " --held-out held.csv"), HasSubstr("held.csv: exists already"));
+    EXPECT_EQ(readTextFile(at("held.csv")), "mine");
+    fs::create_directories(at("plots"));
+    make("plots/roc.svg", "mine");
+    EXPECT_THAT(errorOf("", " --plots plots"), HasSubstr("roc.svg: exists already"));
+    EXPECT_EQ(std::distance(fs::directory_iterator(at("plots")), {}), 1);
 }
 }  // namespace
 }  // namespace vdamf

@@ -46,6 +46,24 @@ protected:
     }
 };
 
+TEST_F(RegressionRun, AnotherTrackerInPlaceOfOurs)
+{
+    if (!hasPrograms()) GTEST_SKIP() << "built without the programs";
+    const Outcome run = bench("--only street --tracker " VDAMF_CONVENTIONAL_TRACKER);
+    ASSERT_EQ(run.exitCode, 0) << run.output;
+    const std::vector<RegressionRow> rows = readRegressionTable(at("out/regression.csv"));
+    ASSERT_EQ(rows.size(), 1U);
+    const auto value = [&](const char* metric)
+    { return rows[0].values[metricIndex(metric).value()]; };
+    EXPECT_EQ(value("frames"), 15.0);
+    EXPECT_GT(value("recall").value(), 0.5);
+    EXPECT_GT(value("time_per_frame_ms").value(), 0.0);
+
+    const Outcome none = bench("--only street --tracker /no/such/program");
+    EXPECT_EQ(none.exitCode, 2);
+    EXPECT_THAT(none.output, HasSubstr("/no/such/program"));
+}
+
 TEST_F(RegressionRun, OneScenarioFromScansToTable)
 {
     if (!hasPrograms()) GTEST_SKIP() << "built without the programs";

@@ -56,5 +56,20 @@ TEST(DiscriminatorCharts, AreWellFormedWithAndWithoutBands)
     EXPECT_EQ(countOf(svg, "a, 95 %"), 2U);
     EXPECT_EQ(countOf(svg, "b, 95 %"), 0U);
 }
+
+TEST(DiscriminatorCharts, DrawABandInTheColourOfItsCurve)
+{
+    std::vector<ClassifierSample> samples;
+    for (std::uint64_t i = 0; i < 200; ++i)
+        samples.push_back({i, static_cast<double>(i % 17) / 17.0, i % 3 == 0});
+    const std::vector<NamedRoc> curves = {{"a", *rocOf(samples)}, {"b", *rocOf(samples)}};
+    for (const Chart& chart : {rocChart(curves), detChart(curves)})
+    {
+        ASSERT_GE(chart.curves.size(), 4U);
+        EXPECT_EQ(chart.curves[0].colour, chart.curves[1].colour);
+        EXPECT_EQ(chart.curves[2].colour, chart.curves[3].colour);
+        EXPECT_NE(chart.curves[0].colour, chart.curves[2].colour);
+    }
+}
 }  // namespace
 }  // namespace vdamf

@@ -24,6 +24,14 @@ Chart unitChart(std::vector<Curve> curves)
             std::move(curves)};
 }
 
+std::size_t countOf(const std::string& text, const std::string& part)
+{
+    std::size_t count = 0;
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
+        ++count;
+    return count;
+}
+
 bool isXml(const std::string& text)
 {
     return static_cast<bool>(pugi::xml_document().load_string(text.c_str()));
@@ -43,6 +51,17 @@ TEST(Plots, PutsPointsInTheirPlace)
     EXPECT_THAT(svg, HasSubstr(">across<"));
     EXPECT_THAT(svg, HasSubstr(">0.4<"));  // a mark
     EXPECT_THAT(svg, HasSubstr(">a line<"));
+}
+
+TEST(Plots, CurvesOfOneNumberHaveOneColour)
+{
+    const std::vector<Eigen::Vector2d> points = {{0.0, 0.0}, {1.0, 1.0}};
+    const std::string svg = chartsSvg({unitChart({{"own", CurveStyle::Line, points},
+                                                  {"first", CurveStyle::Line, points, 3},
+                                                  {"again", CurveStyle::Dashed, points, 3}})});
+    EXPECT_EQ(countOf(svg, "stroke=\"#0072b2\""), 2U);  // the curve and its line in the legend
+    EXPECT_EQ(countOf(svg, "stroke=\"#cc79a7\""), 4U);
+    EXPECT_EQ(countOf(svg, "stroke=\"#d55e00\""), 0U);
 }
 
 TEST(Plots, WhatAnAxisCannotShowInterruptsTheLine)

@@ -14,13 +14,6 @@ std::vector<SparseFeature> toSparse(const std::vector<float>& features)
     return sparse;
 }
 
-std::vector<float> toDense(const std::vector<SparseFeature>& features, std::size_t count)
-{
-    std::vector<float> dense(count, 0.0F);
-    for (const SparseFeature& f : features) dense.at(f.index) = f.value;
-    return dense;
-}
-
 std::vector<TrackSamples> groupedByTrack(std::vector<ObjectSample> samples, std::size_t recording,
                                          const std::string& recordingName, const std::string& group)
 {

@@ -7,15 +7,16 @@ namespace
 {
 constexpr double kLeast = 1e-4;
 
-/// A curve and its band; `y` of a true positive rate.
+/// A curve and its band in one colour; `y` of a true positive rate.
 template <class Y>
-void append(Chart& chart, const NamedRoc& named, Y y)
+void append(Chart& chart, const NamedRoc& named, std::size_t colour, Y y)
 {
-    Curve curve = {named.name, CurveStyle::Line, {}};
+    Curve curve = {named.name, CurveStyle::Line, {}, colour};
     for (const RocPoint& p : named.roc.curve)
         curve.points.emplace_back(p.falsePositiveRate, y(p.truePositiveRate));
     // One line for both sides of the band: there along the low one, back along the high one.
-    Curve band = {named.roc.band.empty() ? "" : named.name + ", 95 %", CurveStyle::Dashed, {}};
+    Curve band = {
+        named.roc.band.empty() ? "" : named.name + ", 95 %", CurveStyle::Dashed, {}, colour};
     for (const RocBandPoint& p : named.roc.band)
         band.points.emplace_back(p.falsePositiveRate, y(p.low));
     for (auto p = named.roc.band.rbegin(); p != named.roc.band.rend(); ++p)
@@ -32,7 +33,8 @@ Chart rocChart(const std::vector<NamedRoc>& curves)
                    {"true positive rate", AxisScale::Linear, 0.5, 1.0},
                    {},
                    true};
-    for (const NamedRoc& named : curves) append(chart, named, [](double found) { return found; });
+    for (std::size_t i = 0; i < curves.size(); ++i)
+        append(chart, curves[i], i, [](double found) { return found; });
     return chart;
 }
 
@@ -42,8 +44,8 @@ Chart detChart(const std::vector<NamedRoc>& curves)
                    {"false positive rate, %", AxisScale::NormalDeviate, 1e-3, 0.6},
                    {"miss rate, %", AxisScale::NormalDeviate, 1e-3, 0.6},
                    {}};
-    for (const NamedRoc& named : curves)
-        append(chart, named, [](double found) { return 1.0 - found; });
+    for (std::size_t i = 0; i < curves.size(); ++i)
+        append(chart, curves[i], i, [](double found) { return 1.0 - found; });
     chart.curves.push_back({"equal errors", CurveStyle::Dashed, {{1e-3, 1e-3}, {0.6, 0.6}}});
     return chart;
 }

@@ -113,7 +113,10 @@ public:
     }
 
 private:
-    static std::string colourOf(std::size_t curve) { return kColours[curve % std::size(kColours)]; }
+    std::string colourOf(std::size_t curve) const
+    {
+        return kColours[chart_.curves[curve].colour.value_or(curve) % std::size(kColours)];
+    }
 
     std::string gridSvg() const
     {

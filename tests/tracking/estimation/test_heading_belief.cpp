@@ -156,6 +156,24 @@ TEST(HeadingBelief, APartThatIsTooLongForAnEndIsPartOfASide)
     EXPECT_EQ(afterFrames({}, partOfSide, 100).turnDue(kDecisive), 0);
 }
 
+TEST(HeadingBelief, ARowThatGrowsIsJudgedByAllOfIt)
+{
+    const auto endOf = [](double metres)
+    {
+        HeadingCues cues;
+        cues.end = {metres, 0.3};
+        return cues;
+    };
+    HeadingBelief belief(endOf(1.8));
+    belief = belief.after(endOf(2.1));
+    ASSERT_GT(belief.axesProbability(), 0.7);
+    // It comes out of hiding: what looked like an end was a part of a side.
+    belief = belief.after(endOf(2.8));
+    EXPECT_LT(belief.axesProbability(), 0.4);
+    // A row as long as before adds up.
+    EXPECT_LT(belief.after(endOf(2.8)).axesProbability(), belief.axesProbability());
+}
+
 TEST(HeadingBelief, WeakEvidenceDoesNotGrowStrongByRepetition)
 {
     HeadingCues vague;

@@ -65,6 +65,30 @@ TEST(StartState, WhatIsHigherThanAnyCarIsATruckThoughItSeemsNarrow)
     EXPECT_LT(lengthBehind(1.9, 3.0), 6.0) << "a van";
 }
 
+// Half of a car's rear shows beside what hides the rest of it; where it was first seen, hardly any.
+TEST(GrownToAVehicle, WhatHidesAPartOfAnEndHidesAWholeCar)
+{
+    const VisibilityOptions o;
+    Measurement piece = rearOf(1.2);
+    piece.hiddenEnds.add(Face::Left);
+    VehicleState small;
+    small.mean << 20.0, 0.0, 0.0, 0.0, 0.0, 0.4, 0.9;
+    small.width = 0.9;
+    const VehicleState grown = grownToAVehicle(small, piece, 1.5, SizesTold(), o);
+    EXPECT_DOUBLE_EQ(grown.mean(kLength), o.carLength);
+    EXPECT_DOUBLE_EQ(grown.width, o.carWidth);
+    // Rear and right side stay.
+    EXPECT_NEAR(grown.mean(kX) - 0.5 * grown.mean(kLength), 20.0 - 0.45, 1e-9);
+    EXPECT_NEAR(grown.mean(kY) - 0.5 * grown.width, -0.45, 1e-9);
+
+    // A part of the side beside it tells no length either.
+    piece.facesSeen.add(Face::Right);
+    piece.hiddenEnds.add(Face::Front);
+    EXPECT_EQ(grownToAVehicle(small, piece, 1.5, SizesTold(), o).mean, grown.mean);
+    // All of an end as narrow is none of a car.
+    EXPECT_EQ(grownToAVehicle(small, rearOf(1.2), 1.5, SizesTold(), o).mean, small.mean);
+}
+
 // A slice of something between two others: it may go on behind them.
 TEST(StartState, OfASliceTheLengthIsAsOpenAsAVehicles)
 {

@@ -2,6 +2,8 @@
 // What the last hits of a parked car say that goes out of sight.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "tracker/sighting.h"
 #include "tracker/track.h"
 
@@ -78,6 +80,27 @@ TEST(LastGlimpse, IsASightingLikeOthersWhereTheLengthWasNeverSeen)
     const Track after = sightedTrack(track, glimpseAt(2.1), 0.0, filter, options);
     EXPECT_NE(after.state.mean, track.state.mean);
     EXPECT_TRUE(after.nis.has_value());
+}
+
+// The front half of the side, its rear hidden: the row ends a metre behind where the front is.
+TEST(LastGlimpse, OfAParkedCarRowsThatAreCutShortDoNotMoveIt)
+{
+    const TrackerOptions options;
+    VehicleKalmanFilter filter{options.motion};
+    const Track track = parkedFor(20, filter);
+    Sighting cut = wholeAt(2.1);
+    cut.measurement.box = {11.5, -4.0, 0.0, 3.2, 1.8};
+    cut.measurement.facesSeen.remove(Face::Back);
+    cut.measurement.hiddenEnds.add(Face::Back);
+    cut.side = {3.2, 10.0};
+    const Track after = sightedTrack(track, cut, 0.0, filter, options);
+    EXPECT_LT((after.box().centre() - track.box().centre()).norm(), 0.1);
+    EXPECT_LT(std::abs(after.state.mean(kSpeed)), 0.2);
+    // What is not known to stand may have moved.
+    Track mayMove = track;
+    mayMove.hypotheses->standingProbability = 0.3;
+    const Track moved = sightedTrack(mayMove, cut, 0.0, filter, options);
+    EXPECT_LT(moved.box().x, after.box().x - 0.03);
 }
 
 }  // namespace

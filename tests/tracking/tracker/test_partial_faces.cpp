@@ -17,6 +17,7 @@ Sighting rearSeen(double metres)
     s.measurement.facesSeen.add(Face::Back);
     s.measurement.covariance.diagonal() << 0.01, 0.01, 1e-4, 0.01, 0.01;
     s.end.metres = metres;
+    s.height = 1.5;
     s.around = {20.05, 0.9 - 0.5 * metres, 0.0, 0.1, metres};
     return s;
 }
@@ -30,20 +31,18 @@ double varianceAt(const Measurement& m, double x, double y)
     return byBox.dot(m.covariance * byBox);
 }
 
-SegmentedFrame frameWithRear(double lowest)
+HitsAtOneTime hitsOnRear(double lowest)
 {
-    SegmentedFrame frame;
-    Cluster cluster;
+    HitsAtOneTime seen;
     for (int row = 0; row < 3; ++row)
         for (int k = 0; k < 10; ++k)
         {
-            cluster.x.push_back(20.0F);
-            cluster.y.push_back(-0.9F + 0.2F * static_cast<float>(k));
-            cluster.height.push_back(static_cast<float>(lowest + 0.15 * row));
-            cluster.z.push_back(cluster.height.back());
+            seen.each.x.push_back(20.0F);
+            seen.each.y.push_back(-0.9F + 0.2F * static_cast<float>(k));
+            seen.each.height.push_back(static_cast<float>(lowest + 0.15 * row));
         }
-    frame.clusters.push_back(cluster);
-    return frame;
+    seen.hits = projectHits(seen.each, 0.0);
+    return seen;
 }
 
 TEST(PartialFaces, APieceOfAnEndTellsLittleOfTheHeading)
@@ -70,19 +69,28 @@ TEST(PartialFaces, AWholeFaceTellsItAsMeasured)
 
 TEST(PartialFaces, HitsAboveTheBumperMayLieBehindTheEnd)
 {
-    const Measurement seen = rearSeen(1.8).measurement;
-    const Measurement low = withRecessOfEnd(seen, frameWithRear(0.3), {0}, 1.5);
+    const Sighting rear = rearSeen(1.8);
+    const Measurement& seen = rear.measurement;
+    const Measurement low = withRecessOfEnd(rear, hitsOnRear(0.3));
     EXPECT_EQ(low.covariance, seen.covariance);
-    const Measurement high = withRecessOfEnd(seen, frameWithRear(1.05), {0}, 1.5);
+    const Measurement high = withRecessOfEnd(rear, hitsOnRear(1.05));
     EXPECT_NEAR(varianceAt(high, 20.0, 0.0) - varianceAt(seen, 20.0, 0.0), 0.16, 0.01);
     EXPECT_NEAR(varianceAt(high, 24.5, 0.0), varianceAt(seen, 24.5, 0.0), 0.01);
 }
 
+TEST(PartialFaces, WithoutHeightsNothingIsKnownOfTheBumper)
+{
+    const Sighting rear = rearSeen(1.8);
+    HitsAtOneTime level = hitsOnRear(1.05);
+    level.hits.heights = 0;
+    EXPECT_EQ(withRecessOfEnd(rear, level).covariance, rear.measurement.covariance);
+}
+
 TEST(PartialFaces, TrucksAreUpright)
 {
-    const Measurement seen = rearSeen(1.8).measurement;
-    const Measurement truck = withRecessOfEnd(seen, frameWithRear(1.5), {0}, 3.0);
-    EXPECT_EQ(truck.covariance, seen.covariance);
+    Sighting truck = rearSeen(1.8);
+    truck.height = 3.0;
+    EXPECT_EQ(withRecessOfEnd(truck, hitsOnRear(1.5)).covariance, truck.measurement.covariance);
 }
 }  // namespace
 }  // namespace vdamf

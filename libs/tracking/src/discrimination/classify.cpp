@@ -4,33 +4,14 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-
-#include "types/lanes.h"
-#include "types/wide_lanes.h"
+#include <numeric>
 
 namespace vdamf
 {
 double vehicleScore(const DiscriminatorModel& model, const std::vector<float>& features)
 {
     assert(features.size() == model.weights.size());
-    double score = 0.0;
-    inWideLanes([
-        weights = model.weights.data(), values = features.data(), size = features.size(), result = &
-        score
-    ]() __attribute__((always_inline)) {
-        Doubles sum{};
-        const auto add = [&](std::size_t first, std::size_t count) __attribute__((always_inline))
-        {
-            Doubles weight;
-            HalfOfFloats value;
-            load(weight, weights + first, count);
-            load(value, values + first, count);
-            sum += weight * __builtin_convertvector(value, Doubles);
-        };
-        inGroupsOf<kLanes<Doubles>>(size, add);
-        *result = sumOf(sum);
-    });
-    return model.bias + score;
+    return std::inner_product(features.begin(), features.end(), model.weights.begin(), model.bias);
 }
 
 double hitDecades(std::size_t hits)

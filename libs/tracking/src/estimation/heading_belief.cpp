@@ -49,6 +49,12 @@ std::optional<FaceExtent> longest(const std::optional<FaceExtent>& before,
     return now && now->metres >= kept.metres ? now : kept;
 }
 
+bool grown(const std::optional<FaceExtent>& before, const std::optional<FaceExtent>& now)
+{
+    constexpr double kGrown = 0.3;  // m
+    return before && now && now->metres > before->metres + kGrown;
+}
+
 // Log odds that what moves does so with its front ahead.
 double frontEvidence(double forth)
 {
@@ -83,7 +89,12 @@ HeadingBelief HeadingBelief::after(const HeadingCues& cues) const
     HeadingCues sizes = cues;
     if (cues.end) sizes.end = next.longestEnd_;
     if (cues.side) sizes.side = next.longestSide_;
-    next.axes_ = withEvidence(axes_, axesEvidence(sizes), frames, kRepeats, kMostBySizes);
+    const double evidence = axesEvidence(sizes);
+    // What shorter rows told was told by parts of them.
+    const bool isNew =
+        grown(longestEnd_, next.longestEnd_) || grown(longestSide_, next.longestSide_);
+    const double before = isNew && axes_ * evidence < 0.0 ? 0.0 : axes_;
+    next.axes_ = withEvidence(before, evidence, frames, kRepeats, kMostBySizes);
     next.neighbours_ = cues.neighbours;
     const double forth = course_[0] - course_[2];
     if (std::abs(forth) < kKnown)

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "estimation/transition.h"
+
 namespace vdamf
 {
 StateVector VariableAxisModel::predicted(const StateVector& state, double dt) const
@@ -41,12 +43,7 @@ std::unique_ptr<MotionModel> modelOf(Steering steering, const MotionOptions& opt
 VehicleState stateAt(const VehicleState& state, double dt, const MotionOptions& options)
 {
     if (dt == 0.0) return state;
-    const std::unique_ptr<MotionModel> model = modelOf(state.steering, options);
-    const StateMatrix f = model->jacobian(state.mean, dt);
-    VehicleState other = state;
-    other.mean = model->predicted(state.mean, dt);
-    other.covariance = f * state.covariance * f.transpose() + model->noise(state.mean, dt);
-    return other;
+    return transitioned(*modelOf(state.steering, options), state, dt);
 }
 
 VehicleState independentOf(const VehicleState& s)

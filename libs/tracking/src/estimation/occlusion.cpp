@@ -12,8 +12,6 @@ constexpr double kBeyond = 0.6;      // m past an end, where the ray goes that w
 constexpr double kFree = 0.4;        // m by which that ray goes on where nothing is in its way
 constexpr double kBeamStep = 0.004;  // rad between hits, about, of spinning LADARs
 constexpr double kWidestStep = 0.7;  // m between hits of a row whose end can be told
-
-constexpr Face kEnd[2][2] = {{Face::Back, Face::Front}, {Face::Right, Face::Left}};
 }  // namespace
 
 FaceSet hiddenEnds(const OrientedBox& box, FaceSet seen, const Eigen::Vector2d& sensor,
@@ -22,16 +20,15 @@ FaceSet hiddenEnds(const OrientedBox& box, FaceSet seen, const Eigen::Vector2d& 
     const Eigen::Vector2d view = toBoxFrame(box, sensor);
     const Eigen::Vector2d half(0.5 * box.length, 0.5 * box.width);
     const Eigen::Matrix2d r = rotation(box.heading);
-    const bool runs[2] = {seen.seesSide(), seen.seesEnd()};  // a seen face runs along the axis
     FaceSet hidden;
     for (int axis = 0; axis < 2; ++axis)
     {
-        if (!runs[axis]) continue;
-        for (int side = 0; side < 2; ++side)
+        if (!seen.seesAlong(axis)) continue;
+        for (int end = 0; end < 2; ++end)
         {
-            if (seen.has(kEnd[axis][side])) continue;
+            if (seen.has(kFaceAt[axis][end])) continue;
             Eigen::Vector2d past;  // in the box frame
-            past(axis) = (side == 0 ? -1.0 : 1.0) * (half(axis) + kBeyond);
+            past(axis) = signOfEnd(end) * (half(axis) + kBeyond);
             past(1 - axis) = std::copysign(half(1 - axis), view(1 - axis));
             const Eigen::Vector2d ray = past - view;
             const Eigen::Vector2d inWorld = r * ray;
@@ -40,7 +37,7 @@ FaceSet hiddenEnds(const OrientedBox& box, FaceSet seen, const Eigen::Vector2d& 
             // What it hits may hide the rest of the face, or be the rest of it.
             const double reached = profile.at(std::atan2(inWorld.y(), inWorld.x()));
             if (reached < range + kFree || kBeamStep * range > kWidestStep * grazing)
-                hidden.add(kEnd[axis][side]);
+                hidden.add(kFaceAt[axis][end]);
         }
     }
     return hidden;
@@ -53,11 +50,11 @@ FaceSet endsBelowView(const OrientedBox& box, const Eigen::Vector2d& sensor, dou
     FaceSet below;
     const Eigen::Vector2d view = toBoxFrame(box, sensor);
     const double across = std::max(0.0, std::abs(view.y()) - 0.5 * box.width);
-    for (int side = 0; side < 2; ++side)
+    for (int end = 0; end < 2; ++end)
     {
-        const double end = (side == 0 ? -0.5 : 0.5) * box.length;
-        const double range = std::hypot(view.x() - end, across);
-        if (sensorHeight + profile.lowestSlope * range > kBumper) below.add(kEnd[0][side]);
+        const double place = 0.5 * signOfEnd(end) * box.length;
+        const double range = std::hypot(view.x() - place, across);
+        if (sensorHeight + profile.lowestSlope * range > kBumper) below.add(kFaceAt[0][end]);
     }
     return below;
 }

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <optional>
 
+#include "estimation/by_size.h"
+
 namespace vdamf
 {
 namespace
@@ -78,13 +80,27 @@ std::optional<Assumed> widthBehind(double length, double height, const Visibilit
     return length < kLongSide ? carWidth(height, o) : kLargeWidth;
 }
 
+constexpr double kPiece = 0.9;  // m, of an end of which something hides the rest
+
+bool isPieceOfACarsEnd(const Measurement& m, double height)
+{
+    return m.facesSeen.seesEnd() && !locatesWidth(m) && m.box.width > kPiece &&
+           m.box.width < widestCar(height);
+}
+
+// Which side of an end nothing hides: 1 the left one, -1 the right one, 0 both or none.
+double notHidden(const Measurement& m)
+{
+    return m.hiddenEnds.has(Face::Right) - m.hiddenEnds.has(Face::Left);
+}
+
 // Ends and sides that could be a car's, or the part of one that is not hidden; what is not seen
 // could be anything.
 bool couldBeACar(const Measurement& m, double height)
 {
     const bool lengthFits = !m.facesSeen.seesSide() || m.box.length < kLongSide;
     const bool widthFits = !m.facesSeen.seesEnd() || m.box.width < widestCar(height);
-    const bool carEnd = m.facesSeen.seesEnd() && m.box.width > (locatesWidth(m) ? kCarEnd : 0.9);
+    const bool carEnd = m.facesSeen.seesEnd() && m.box.width > (locatesWidth(m) ? kCarEnd : kPiece);
     const bool carSide = m.facesSeen.seesSide() && m.box.length > (locatesLength(m) ? 2.1 : 1.2);
     return lengthFits && widthFits && (carEnd || carSide);
 }
@@ -128,27 +144,21 @@ BoxMeasurement withSizes(const Measurement& m, double height, const Eigen::Vecto
     return withKnown(box, 4, known.y(), sigma.y() * sigma.y());
 }
 
-// With the length (axis 0) or width (1) of a vehicle where it is clearly smaller; `side` is where
-// the centre moves to, by half of the growth.
-VehicleState grownTo(const VehicleState& state, int axis, double side,
+// With the length (axis 0) or width (1) of a vehicle where it is clearly smaller; the end at
+// `fixed` stays.
+VehicleState grownTo(const VehicleState& state, int axis, double fixed,
                      const std::optional<Assumed>& size)
 {
     if (!size || size->metres - state.size()(axis) < size->sigma) return state;
-    StateVector byFace = StateVector::Zero();
-    byFace.head<2>() = side * rotation(state.mean(kHeading)).col(axis);
+    const StateVector change = bySize(state, axis, fixed);
     VehicleState next = state;
-    if (axis == 0)
-    {
-        if (state.steering != Steering::Independent) byFace(kAxis) = side;
-        byFace(kLength) = 1.0;
-    }
-    else
+    if (axis == 1)
     {
         next.width = size->metres;
         next.widthVariance = size->sigma * size->sigma;
     }
-    next.mean += (size->metres - state.size()(axis)) * byFace;
-    next.covariance += size->sigma * size->sigma * byFace * byFace.transpose();
+    next.mean += (size->metres - state.size()(axis)) * change;
+    next.covariance += size->sigma * size->sigma * change * change.transpose();
     return next;
 }
 }  // namespace
@@ -162,14 +172,20 @@ VehicleState grownToAVehicle(const VehicleState& predicted, const Measurement& m
                              const SizesTold& told, const VisibilityOptions& o)
 {
     if (!o.assumeVehicleSize) return predicted;
-    if (!told.length && !m.facesSeen.seesSide() && m.facesSeen.seesEnd())
-        return grownTo(predicted, 0, m.facesSeen.has(Face::Back) ? 0.5 : -0.5,
+    if (!told.length && !locatesLength(m) && m.facesSeen.seesEnd())
+    {
+        const double seen = m.facesSeen.has(Face::Back) ? -1.0 : 1.0;
+        if (!told.width && isPieceOfACarsEnd(m, height))
+            return grownTo(grownTo(predicted, 1, notHidden(m), carWidth(height, o)), 0, seen,
+                           carLength(height, o));
+        return grownTo(predicted, 0, seen,
                        lengthBehind(std::min(m.box.width, predicted.width), height, o));
+    }
     // No vehicle is as long and narrow: of that end a part is seen.
     const bool isNarrow = told.width && predicted.width < kCarEnd;
     const bool showsWidth = locatesWidth(m) && m.box.width >= kCarEnd;
     if ((!told.width || isNarrow) && locatesLength(m) && !showsWidth)
-        return grownTo(predicted, 1, m.facesSeen.has(Face::Right) ? 0.5 : -0.5,
+        return grownTo(predicted, 1, m.facesSeen.has(Face::Right) ? -1.0 : 1.0,
                        widthBehind(std::min(m.box.length, predicted.mean(kLength)), height, o));
     return predicted;
 }

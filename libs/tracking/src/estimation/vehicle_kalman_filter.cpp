@@ -16,6 +16,8 @@
 #include <type_traits>
 #include <utility>
 
+#include "estimation/by_size.h"
+#include "estimation/transition.h"
 #include "types/cholesky.h"
 
 namespace mrpt::math
@@ -61,10 +63,7 @@ double yawRateVarianceBySecondOrder(const VehicleState& state)
 // motion seems to tell of a long way between the two; that is not believed.
 VehicleState withLengthApart(const VehicleState& state, double fixedPoint)
 {
-    StateVector byLength = StateVector::Zero();
-    byLength.head<2>() = -0.5 * fixedPoint * rotation(state.mean(kHeading)).col(0);
-    if (state.steering != Steering::Independent) byLength(kAxis) = -0.5 * fixedPoint;
-    byLength(kLength) = 1.0;
+    const StateVector byLength = bySize(state, 0, fixedPoint);
     // A P A^T + P_LL b b^T, where b is byLength and A = I - b e_L^T leaves all but the length.
     const StateVector withLength =
         state.covariance.col(kLength) - state.covariance(kLength, kLength) * byLength;
@@ -101,10 +100,9 @@ public:
     VehicleState predicted(const VehicleState& state, double dt) const
     {
         const MotionModel& model = modelFor(state.steering);
-        const StateMatrix f = model.jacobian(state.mean, dt);
-        const StateMatrix p = f * state.covariance * f.transpose() + model.noise(state.mean, dt);
-        VehicleState next = state;
-        next.mean = model.bounded(model.predicted(state.mean, dt));
+        VehicleState next = transitioned(model, state, dt);
+        next.mean = model.bounded(next.mean);
+        const StateMatrix p = next.covariance;
         next.covariance = 0.5 * (p + p.transpose());
         if (state.steering != Steering::Independent)
             next.covariance(kHeading, kHeading) += dt * dt * yawRateVarianceBySecondOrder(state);

@@ -5,21 +5,17 @@
 #include <array>
 #include <cmath>
 
+#include "estimation/by_size.h"
+#include "types/box_changes.h"
+
 namespace vdamf
 {
 namespace
 {
-constexpr Face kFaces[2][2] = {{Face::Back, Face::Front}, {Face::Right, Face::Left}};
-
-double signOf(int end)
-{
-    return end == 0 ? -1.0 : 1.0;
-}
-
 // How far the measured face lies outside of the predicted one, along its normal, m.
 double outside(const OrientedBox& measured, const OrientedBox& predicted, int axis, int end)
 {
-    const Eigen::Vector2d normal = signOf(end) * rotation(predicted.heading).col(axis);
+    const Eigen::Vector2d normal = signOfEnd(end) * rotation(predicted.heading).col(axis);
     const double growth =
         axis == 0 ? measured.length - predicted.length : measured.width - predicted.width;
     return normal.dot(measured.centre() - predicted.centre()) + 0.5 * growth;
@@ -30,7 +26,7 @@ double outside(const OrientedBox& measured, const OrientedBox& predicted, int ax
 int suspect(const Measurement& m, const VehicleState& predicted, int axis, double sign)
 {
     for (int end = 0; end < 2; ++end)
-        if (m.facesSeen.has(kFaces[axis][end])) return 1 - end;
+        if (m.facesSeen.has(kFaceAt[axis][end])) return 1 - end;
     const OrientedBox before = predicted.box();
     return sign * outside(m.box, before, axis, 0) > sign * outside(m.box, before, axis, 1) ? 0 : 1;
 }
@@ -57,12 +53,19 @@ SizeChange sizeChange(const Measurement& m, const VehicleState& predicted, int a
 bool reachesBeyond(const Measurement& m, const VehicleState& predicted, int axis, int end,
                    const VisibilityOptions& o)
 {
-    const bool runsAlong = axis == 0 ? m.facesSeen.seesSide() : m.facesSeen.seesEnd();
-    const Face face = kFaces[axis][end];
+    const Face face = kFaceAt[axis][end];
     const double measured = axis == 0 ? m.box.length : m.box.width;
-    return runsAlong && m.hiddenEnds.has(face) && !m.facesSeen.has(face) &&
+    return m.facesSeen.seesAlong(axis) && m.hiddenEnds.has(face) && !m.facesSeen.has(face) &&
            measured - predicted.size()(axis) > o.sizeSigma &&
            outside(m.box, predicted.box(), axis, end) > o.sizeSigma;
+}
+
+// Model error of the heading, rad.
+double headingFloorOf(FaceSet seen, const VisibilityOptions& o)
+{
+    constexpr double kShapeless = 0.25;  // of hits on no face
+    if (seen.seesSide()) return o.headingFloor;
+    return seen.seesEnd() ? o.endOnlyHeadingFloor : kShapeless;
 }
 
 constexpr double kClear = 2.0;  // sigmas from which on a change of size is not noise
@@ -79,11 +82,8 @@ FaceSet locatedFaces(const Measurement& m)
 {
     FaceSet located = m.facesSeen;
     for (int axis = 0; axis < 2; ++axis)
-    {
-        const bool runsAlong = axis == 0 ? m.facesSeen.seesSide() : m.facesSeen.seesEnd();
-        for (const Face face : kFaces[axis])
-            if (runsAlong && !m.hiddenEnds.has(face)) located.add(face);
-    }
+        for (const Face face : kFaceAt[axis])
+            if (m.facesSeen.seesAlong(axis) && !m.hiddenEnds.has(face)) located.add(face);
     return located;
 }
 
@@ -94,7 +94,7 @@ FaceErrors faceErrors(const Measurement& m, const VisibilityOptions& o)
     for (int axis = 0; axis < 2; ++axis)
         for (int end = 0; end < 2; ++end)
         {
-            const Face face = kFaces[axis][end];
+            const Face face = kFaceAt[axis][end];
             const double told = located.has(face) ? o.sizeSigma : FaceErrors::kNotTold;
             errors.sigma[axis][end] = m.facesSeen.has(face) ? o.positionFloor : told;
         }
@@ -122,6 +122,21 @@ FaceErrors faceErrors(const Measurement& m, const VehicleState& predicted,
     return errors;
 }
 
+FaceErrors withShortRows(const FaceErrors& errors, const Measurement& m,
+                         const VehicleState& predicted)
+{
+    FaceErrors next = errors;
+    for (int axis = 0; axis < 2; ++axis)
+        for (int end = 0; end < 2; ++end)
+        {
+            const bool isSeen = m.facesSeen.has(kFaceAt[axis][end]);
+            if (isSeen || !errors.tells(axis, end) || errors.tells(axis, 1 - end)) continue;
+            double& sigma = next.sigma[axis][end];
+            sigma = std::max(sigma, -outside(m.box, predicted.box(), axis, end));
+        }
+    return next;
+}
+
 VehicleState openToGrowth(const VehicleState& predicted, const Measurement& m,
                           const VisibilityOptions& o)
 {
@@ -129,22 +144,13 @@ VehicleState openToGrowth(const VehicleState& predicted, const Measurement& m,
     const FaceSet located = locatedFaces(m);
     for (int axis = 0; axis < 2; ++axis)
     {
-        const bool both = located.has(kFaces[axis][0]) && located.has(kFaces[axis][1]);
+        const bool both = located.has(kFaceAt[axis][0]) && located.has(kFaceAt[axis][1]);
         const SizeChange change = sizeChange(m, predicted, axis, o);
         if (!both || change.sigmas < kClear) continue;
-        const double sign = signOf(suspect(m, predicted, axis, 1.0));
-        StateVector byFace = StateVector::Zero();
-        byFace.head<2>() = 0.5 * sign * rotation(predicted.mean(kHeading)).col(axis);
-        if (axis == 0)
-        {
-            if (next.steering != Steering::Independent) byFace(kAxis) = 0.5 * sign;
-            byFace(kLength) = 1.0;
-        }
-        else
-        {
-            next.widthVariance += change.metres * change.metres;
-        }
-        next.covariance += change.metres * change.metres * byFace * byFace.transpose();
+        const int stays = 1 - suspect(m, predicted, axis, 1.0);
+        const StateVector growth = bySize(predicted, axis, signOfEnd(stays));
+        next.covariance += change.metres * change.metres * growth * growth.transpose();
+        if (axis == 1) next.widthVariance += change.metres * change.metres;
     }
     return next;
 }
@@ -159,17 +165,10 @@ BoxMeasurement boxThrough(const Measurement& m, const FaceErrors& errors,
     Eigen::Vector2d offset = Eigen::Vector2d::Zero();  // of the centre, in the box frame
     Matrix5d j = Matrix5d::Identity();                 // d result / d measured
     Matrix5d modelError = Matrix5d::Zero();
-    const auto addError = [&](int axis, int end, double sigma)
-    {
-        Vector5d byFace = Vector5d::Zero();
-        byFace.head<2>() = 0.5 * r.col(axis);
-        byFace(3 + axis) = signOf(end);
-        modelError += sigma * sigma * byFace * byFace.transpose();
-    };
     for (int axis = 0; axis < 2; ++axis)
     {
         const bool has[2] = {errors.tells(axis, 0), errors.tells(axis, 1)};
-        if (has[0] != has[1]) fixed(axis) = signOf(has[1] ? 1 : 0);
+        if (has[0] != has[1]) fixed(axis) = signOfEnd(has[1] ? 1 : 0);
         if (!has[0] || !has[1])
         {
             offset(axis) = 0.5 * fixed(axis) * (size(axis) - known(axis));
@@ -179,18 +178,15 @@ BoxMeasurement boxThrough(const Measurement& m, const FaceErrors& errors,
         }
         for (int end = 0; end < 2; ++end)
         {
-            const bool vague = m.facesSeen.empty() && signOf(end) * fixed(axis) > 0.0;
-            addError(axis, end, vague ? o.unseenSigma : errors.sigma[axis][end]);
+            const bool vague = m.facesSeen.empty() && signOfEnd(end) * fixed(axis) > 0.0;
+            const double sigma = vague ? o.unseenSigma : errors.sigma[axis][end];
+            const Vector5d change = byFace(r, axis, end);
+            modelError += sigma * sigma * change * change.transpose();
         }
     }
     const Eigen::Vector2d lever = -0.5 * fixed.cwiseProduct(size);  // fixed point to centre
     j.block<2, 1>(0, 2) = r * Eigen::Vector2d(-offset.y(), offset.x());
-    Vector5d turn = Vector5d::Zero();
-    turn.head<2>() = r * Eigen::Vector2d(-lever.y(), lever.x());
-    constexpr double kShapeless = 0.25;  // rad, of hits on no face
-    const double withoutSide = m.facesSeen.seesEnd() ? o.endOnlyHeadingFloor : kShapeless;
-    turn(2) = m.facesSeen.seesSide() ? o.headingFloor : withoutSide;
-    turn.head<2>() *= turn(2);
+    const Vector5d turn = headingFloorOf(m.facesSeen, o) * byTurn(r * lever);
 
     BoxMeasurement result;
     result.box << m.box.centre() + r * offset, m.box.heading, size;

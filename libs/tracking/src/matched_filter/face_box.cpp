@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "types/box_changes.h"
 #include "types/wide_lanes.h"
 
 namespace vdamf
@@ -214,18 +215,16 @@ private:
             for (std::size_t end = 0; end < 2; ++end)
             {
                 const FacePlace& face = faces[axis][end];
-                const auto a = static_cast<Eigen::Index>(axis);
-                Vector5d byFace = Vector5d::Zero();
-                byFace.head<2>() = 0.5 * toWorld.col(a);
-                byFace(3 + a) = end == 0 ? -1.0 : 1.0;
+                const auto a = static_cast<int>(axis);
+                const Vector5d change = byFace(toWorld, a, static_cast<int>(end));
                 if (face.onLine)
-                    byLines.col(1 + a) += byFace;
+                    byLines.col(1 + a) += change;
                 else
-                    covariance += face.variance * byFace * byFace.transpose();
+                    covariance += face.variance * change * change.transpose();
                 // The last hit of a row stays in place when the box turns: its coordinate along
                 // the axis changes by where it lies across it.
                 if (face.onRow)
-                    byLines.col(0) += (axis == 0 ? 1.0 : -1.0) * nearAt(1 - axis) * byFace;
+                    byLines.col(0) += (axis == 0 ? 1.0 : -1.0) * nearAt(1 - axis) * change;
             }
         result.covariance = covariance + byLines * lines_.covariance * byLines.transpose();
         return result;

@@ -41,19 +41,18 @@ OrientedBox reachingOverHits(const Hits& hits, const OrientedBox& box, FaceSet s
 {
     const Eigen::Vector2d view = toBoxFrame(box, sensor);
     const double half[2] = {0.5 * box.length, 0.5 * box.width};
-    const bool faceSeen[2] = {seen.seesEnd(), seen.seesSide()};
     // Ends of the box along its axes, low and high.
     double ends[2][2] = {{-half[0], half[0]}, {-half[1], half[1]}};
     for (int axis = 0; axis < 2; ++axis)
     {
         const int across = 1 - axis;  // the face that runs along `axis` lies at an end of `across`
-        if (!faceSeen[across]) continue;
+        if (!seen.seesAlong(axis)) continue;
         const double face = view(across) > 0.0 ? half[across] : -half[across];
         for (int side = 0; side < 2; ++side)
         {
-            const double sign = side == 0 ? -1.0 : 1.0;
+            const double sign = signOfEnd(side);
             // An end that is seen itself is fitted by its own hits.
-            if (faceSeen[axis] && sign * view(axis) > 0.0) continue;
+            if (seen.seesAcross(axis) && sign * view(axis) > 0.0) continue;
             std::vector<OnFace> row;
             for (std::size_t i = 0; i < hits.size(); ++i)
             {

@@ -6,6 +6,7 @@
 
 #include "matched_filter/corner_check.h"
 #include "matched_filter/densest_corner.h"
+#include "types/box_changes.h"
 
 namespace vdamf
 {
@@ -130,14 +131,11 @@ Matrix5d doubtOf(const FoundFaces& faces, double share, bool isBody, const Error
     const Eigen::Matrix2d axes = rotation(faces.fit.box.heading);
     for (const int axis : {0, 1})
     {
-        if (!(axis == 0 ? faces.seen.seesEnd() : faces.seen.seesSide())) continue;
-        const bool positive = faces.seen.has(axis == 0 ? Face::Front : Face::Left);
-        Vector5d byFace = Vector5d::Zero();
-        byFace.head<2>() = 0.5 * axes.col(axis);
-        byFace(3 + axis) = positive ? 1.0 : -1.0;
+        if (!faces.seen.seesAcross(axis)) continue;
+        const Vector5d change = byFace(axes, axis, faces.seen.has(kFaceAt[axis][1]) ? 1 : 0);
         const Doubt doubt =
             axis == 0 ? Doubt{errors.endDoubt, kEndWrong} : Doubt{errors.sideDoubt, kSideWrong};
-        covariance += varianceOf(doubt, share, isBody) * byFace * byFace.transpose();
+        covariance += varianceOf(doubt, share, isBody) * change * change.transpose();
     }
     return covariance;
 }

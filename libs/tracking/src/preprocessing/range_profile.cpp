@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "preprocessing/bearing.h"
+#include "preprocessing/sample.h"
 #include "types/wide_lanes.h"
 
 namespace vdamf
@@ -50,12 +51,10 @@ struct Block
 
 double lowestSlope(const LadarFrame& frame)
 {
-    constexpr std::size_t kSample = 4000;  // hits are enough to tell
-    constexpr float kNear = 1.0F;          // m: hits on the platform itself
+    constexpr float kNear = 1.0F;  // m: hits on the platform itself
     const PointCloud& points = frame.points;
     const Eigen::Vector3f sensor = (frame.sensor - frame.origin).cast<float>();
-    // Odd: rings come by powers of two.
-    const std::size_t step = (points.size() / kSample) | 1U;
+    const std::size_t step = sampleStep(points.size());
     double lowest = 0.0;
     for (std::size_t i = 0; i < points.size(); i += step)
     {

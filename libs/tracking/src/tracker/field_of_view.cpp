@@ -5,14 +5,14 @@
 #include <cmath>
 
 #include "preprocessing/bearing.h"
+#include "preprocessing/sample.h"
 #include "vdamf/tracking/types/geometry.h"
 
 namespace vdamf
 {
 namespace
 {
-constexpr std::size_t kLeastGap = 4;   // sectors that the sensor does not look at
-constexpr std::size_t kSample = 4000;  // hits are enough to tell
+constexpr std::size_t kLeastGap = 4;  // sectors that the sensor does not look at
 
 // By the share of a turn from bearing -pi on.
 std::size_t sectorOf(double turn, std::size_t sectors)
@@ -27,8 +27,7 @@ FieldOfView::FieldOfView(const LadarFrame& frame)
     const Eigen::Vector2f sensor = (frame.sensor - frame.origin).head<2>().cast<float>();
     first_.fill(1.0F);
     last_.fill(0.0F);
-    // Odd: rings come by powers of two.
-    const std::size_t step = (points.size() / kSample) | 1U;
+    const std::size_t step = sampleStep(points.size());
     for (std::size_t i = 0; i < points.size(); i += step)
     {
         const float x = points.x[i] - sensor.x();

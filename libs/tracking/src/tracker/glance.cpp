@@ -33,7 +33,7 @@ Track glancedTrack(Track track, const SegmentedFrame& frame,
     double weight = 0.0;
     for (const std::size_t k : clusters) weight += frame.hits[k].totalWeight;
     track.hits = static_cast<int>(std::lround(weight));
-    return stillThere(std::move(track), frame.time, options);
+    return withConfirmation(stillThere(std::move(track), frame.time, options), options);
 }
 
 }  // namespace vdamf

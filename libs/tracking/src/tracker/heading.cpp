@@ -54,18 +54,13 @@ double movedAlong(double direction, const OrientedBox& from, const OrientedBox& 
     return std::copysign(std::max(0.0, std::abs(centre) - std::abs(growth)), centre);
 }
 
-bool showsPlace(FaceSet located, int axis)
-{
-    return axis == 0 ? located.seesEnd() : located.seesSide();
-}
-
 Course courseBetween(const PathPoint& from, const PathPoint& to)
 {
     Eigen::Vector2d move = Eigen::Vector2d::Zero();
     for (int axis = 0; axis < 2; ++axis)
     {
         // With neither face in view, what hides them may be what moves.
-        if (!showsPlace(from.located, axis) || !showsPlace(to.located, axis)) continue;
+        if (!from.located.seesAcross(axis) || !to.located.seesAcross(axis)) continue;
         move(axis) = movedAlong(to.box.heading + 0.5 * kPi * axis, from.box, to.box);
     }
     return {to.box.heading + std::atan2(move.y(), move.x()), move.norm(), to.time - from.time};
@@ -150,7 +145,8 @@ std::vector<PathPoint> turned(std::vector<PathPoint> path, int quarters)
     return path;
 }
 
-// The track started anew with its measurement turned; it keeps its identity and history.
+// The track started anew with its measurement turned; it keeps its identity and history. Where its
+// path does not tell its speed, it is confirmed anew as well.
 Track quarterTurned(const Track& track, const Sighting& sighting, int quarters,
                     const TrackerOptions& options)
 {
@@ -159,7 +155,8 @@ Track quarterTurned(const Track& track, const Sighting& sighting, int quarters,
                                   widestEnd(track.height), options.visibility);
     constexpr double kPathSigma = 0.4;  // m, of the ends of a path
     StartSpeed speed{0.0, options.lifecycle.startSpeedSigma};
-    if (const auto course = steadyCourse(track))
+    const auto course = steadyCourse(track);
+    if (course)
         speed = {course->speedAlong(turned.measurement.box.heading),
                  std::max(1.0, kPathSigma / course->duration)};
     const Track fresh = startedTrack(track.id, turned, speed, options);
@@ -168,6 +165,8 @@ Track quarterTurned(const Track& track, const Sighting& sighting, int quarters,
     next.measurement = fresh.measurement;
     next.around = fresh.around;
     *next.hypotheses = hypothesesFrom(next.state, options.motion);
+    next.startedAt = track.sightings;
+    if (!course) next.status = TrackStatus::Tentative;
     return next;
 }
 

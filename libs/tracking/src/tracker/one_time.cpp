@@ -125,6 +125,7 @@ HitsAtOneTime hitsAtOneTime(const SegmentedFrame& frame, const std::vector<std::
     if (!timed)
     {
         result.hits = withKnownHeights(hitsOf(frame, clusters), frame);
+        result.each = joinedClusters(frame, clusters);
         return result;
     }
     Cluster all = joinedClusters(frame, clusters);
@@ -140,6 +141,7 @@ HitsAtOneTime hitsAtOneTime(const SegmentedFrame& frame, const std::vector<std::
     if (motion.velocity.norm() * span.length() > kStill)
         all = movedTo(result.lag, std::move(all), motion);
     result.hits = withKnownHeights(projectHits(all, mergeCell), frame);
+    result.each = std::move(all);
     return result;
 }
 

@@ -6,6 +6,9 @@
 #include <cmath>
 #include <limits>
 
+#include "types/box_changes.h"
+#include "vdamf/tracking/estimation/occlusion.h"
+
 namespace vdamf
 {
 namespace
@@ -17,15 +20,8 @@ constexpr double kSlope = 1.0;        // m behind the end per m above the bumper
 constexpr double kTruckHeight = 2.2;  // m
 constexpr std::size_t kFew = 3;       // hits that show how low a face is seen
 
-// Whether the row along an axis ends where something hides the rest.
-bool isPiece(const Measurement& m, Face one, Face other)
-{
-    return m.hiddenEnds.has(one) || m.hiddenEnds.has(other);
-}
-
 // The height above which all hits along the end seen lie, but for the lowest ones, m.
-double lowestOfEnd(const Measurement& m, const SegmentedFrame& frame,
-                   const std::vector<std::size_t>& clusters)
+double lowestOfEnd(const Measurement& m, const Cluster& hits)
 {
     constexpr float kInFront = 0.25F;  // m, of the face
     constexpr float kBehind = 0.45F;   // m
@@ -35,59 +31,64 @@ double lowestOfEnd(const Measurement& m, const SegmentedFrame& frame,
     const float half = static_cast<float>(0.5 * m.box.length);
     std::array<float, kFew> lowest;
     lowest.fill(std::numeric_limits<float>::infinity());
-    for (const std::size_t k : clusters)
+    for (std::size_t i = 0; i < hits.size(); ++i)
     {
-        const Cluster& c = frame.clusters[k];
-        for (std::size_t i = 0; i < c.size(); ++i)
-        {
-            if (c.height[i] >= lowest.back()) continue;
-            const float behind =
-                half - outwards.x() * (c.x[i] - centre.x()) - outwards.y() * (c.y[i] - centre.y());
-            if (behind < -kInFront || behind > kBehind) continue;
-            lowest.back() = c.height[i];
-            std::sort(lowest.begin(), lowest.end());
-        }
+        if (hits.height[i] >= lowest.back()) continue;
+        const float behind = half - outwards.x() * (hits.x[i] - centre.x()) -
+                             outwards.y() * (hits.y[i] - centre.y());
+        if (behind < -kInFront || behind > kBehind) continue;
+        lowest.back() = hits.height[i];
+        std::sort(lowest.begin(), lowest.end());
     }
     return static_cast<double>(lowest.back());
 }
 }  // namespace
 
+Measurement withoutEndsBelowView(const Sighting& sighting, const SegmentedFrame& frame)
+{
+    Measurement m = sighting.measurement;
+    if (frame.planar || !m.facesSeen.seesSide()) return m;
+    const FaceSet below =
+        endsBelowView(m.box, sighting.sensor, frame.sensorZ - sighting.groundZ, frame.profile);
+    for (const Face end : kFaceAt[0])
+    {
+        if (!below.has(end)) continue;
+        m.facesSeen.remove(end);
+        m.hiddenEnds.add(end);
+    }
+    return m;
+}
+
 Measurement withTurnOfPieces(const Sighting& sighting)
 {
     Measurement m = sighting.measurement;
     double row = 0.0;
-    for (const bool side : {false, true})
+    for (const int axis : {0, 1})
     {
-        if (!(side ? m.facesSeen.seesSide() : m.facesSeen.seesEnd())) continue;
-        if (!(side ? isPiece(m, Face::Front, Face::Back) : isPiece(m, Face::Left, Face::Right)))
-            return m;
-        row = std::max(row, side ? sighting.side.metres : sighting.end.metres);
+        if (!m.facesSeen.seesAlong(axis)) continue;
+        // It is a piece where something hides the rest.
+        if (!m.hiddenEnds.seesAcross(axis)) return m;
+        row = std::max(row, axis == 0 ? sighting.side.metres : sighting.end.metres);
     }
     if (row <= 0.0) return m;
     const double sigma = std::atan(kDepth / std::max(row, kLeastRow));
     // About the hits.
-    const Eigen::Vector2d lever = m.box.centre() - sighting.around.centre();
-    Vector5d turn = Vector5d::Zero();
-    turn.head<3>() << -lever.y(), lever.x(), 1.0;
+    const Vector5d turn = byTurn(m.box.centre() - sighting.around.centre());
     m.covariance += sigma * sigma * turn * turn.transpose();
     return m;
 }
 
-Measurement withRecessOfEnd(const Measurement& measurement, const SegmentedFrame& frame,
-                            const std::vector<std::size_t>& clusters, double height)
+Measurement withRecessOfEnd(const Sighting& sighting, const HitsAtOneTime& seen)
 {
-    if (frame.planar || !measurement.facesSeen.seesEnd() || height > kTruckHeight)
-        return measurement;
-    const double above = lowestOfEnd(measurement, frame, clusters) - kBumper;
-    if (!(above > 0.0) || !std::isfinite(above)) return measurement;
-    Measurement m = measurement;
-    const double sign = m.facesSeen.has(Face::Front) ? 1.0 : -1.0;
+    Measurement m = sighting.measurement;
+    const bool heightsKnown = seen.hits.heights != 0;
+    if (!heightsKnown || !m.facesSeen.seesEnd() || sighting.height > kTruckHeight) return m;
+    const double above = lowestOfEnd(m, seen.each) - kBumper;
+    if (!(above > 0.0) || !std::isfinite(above)) return m;
     const double sigma = kSlope * above;
-    // The end outwards, the other one where it is.
-    Vector5d byEnd = Vector5d::Zero();
-    byEnd.head<2>() = 0.5 * sign * rotation(m.box.heading).col(0);
-    byEnd(3) = 1.0;
-    m.covariance += sigma * sigma * byEnd * byEnd.transpose();
+    const Vector5d change =
+        byFace(rotation(m.box.heading), 0, m.facesSeen.has(Face::Front) ? 1 : 0);
+    m.covariance += sigma * sigma * change * change.transpose();
     return m;
 }
 

@@ -1,20 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Section 4.4 takes the faces of a body for planes. Of a face seen in part, or only above the
-// bumper, that leaves out most of the error.
+// Section 4.4 takes the faces of a body for planes that are seen whole. Of a face seen in part, or
+// only above the bumper, that leaves out most of the error.
 #pragma once
 
 #include "tracker/sighting.h"
 
 namespace vdamf
 {
+/// The measurement of a sighting without the place of ends that are seen above their bonnet or boot
+/// only: beside a row along the side they tell none.
+Measurement withoutEndsBelowView(const Sighting& sighting, const SegmentedFrame& frame);
+
 /// The measurement of a sighting with the heading as uncertain as pieces of faces leave it: bodies
 /// are round, so that the shorter the row of hits, the more the line through it may be turned.
 /// Where a face shows from end to end, both halves of it turn the line alike.
 Measurement withTurnOfPieces(const Sighting& sighting);
 
-/// The measurement of some clusters with its end as uncertain as hits above the bumper leave it: on
+/// The measurement of a sighting with its end as uncertain as hits above the bumper leave it: on
 /// a bonnet or a windscreen they lie behind the end. What is as high as a truck is upright.
-Measurement withRecessOfEnd(const Measurement& measurement, const SegmentedFrame& frame,
-                            const std::vector<std::size_t>& clusters, double height);
+Measurement withRecessOfEnd(const Sighting& sighting, const HitsAtOneTime& seen);
 
 }  // namespace vdamf

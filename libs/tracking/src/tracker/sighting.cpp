@@ -78,22 +78,6 @@ FaceRow rowOf(std::vector<RowHit>::iterator begin, std::vector<RowHit>::iterator
     for (auto hit = begin; hit != end; ++hit) row.hits += hit->second;
     return row;
 }
-
-// Beside a row along the side, an end that is seen above its bonnet or boot only tells no place.
-Measurement withoutEndsBelowView(const Measurement& measurement, const Eigen::Vector2d& sensor,
-                                 double sensorHeight, const RangeProfile& profile)
-{
-    Measurement m = measurement;
-    if (!m.facesSeen.seesSide()) return m;
-    const FaceSet below = endsBelowView(m.box, sensor, sensorHeight, profile);
-    for (const Face end : {Face::Front, Face::Back})
-    {
-        if (!below.has(end)) continue;
-        m.facesSeen.remove(end);
-        m.hiddenEnds.add(end);
-    }
-    return m;
-}
 }  // namespace
 
 double heightOf(const Cluster& cluster)
@@ -223,10 +207,9 @@ Sighting sightingOf(const SegmentedFrame& frame, const std::vector<std::size_t>&
         s.height = std::max(s.height, heightOf(cluster));
     }
     s.groundZ = count > 0.0 ? ground / count : 0.0;
-    if (!frame.planar)
-        m = withoutEndsBelowView(m, sensor, frame.sensorZ - s.groundZ, frame.profile);
+    m = withoutEndsBelowView(s, frame);
     m = withTurnOfPieces(s);
-    m = withRecessOfEnd(m, frame, clusters, s.height);
+    m = withRecessOfEnd(s, seen);
     return s;
 }
 

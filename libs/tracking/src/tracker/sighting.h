@@ -32,6 +32,7 @@ struct SegmentedFrame
 struct HitsAtOneTime
 {
     Hits hits;
+    Cluster each;      ///< the same one by one, with heights and without z
     double lag = 0.0;  ///< s after the frame's time
     /// Middle of the part that was left out, in the frame of the hits, m: towards it the target
     /// goes on.

@@ -31,6 +31,7 @@ OrientedBox inFrameOf(const OrientedBox& frame, const OrientedBox& box)
 Measurement broughtTo(const VehicleState& state, const Measurement& measurement, double lag,
                       const MotionOptions& options)
 {
+    if (lag == 0.0) return measurement;
     const StateVector move =
         modelOf(state.steering, options)->predicted(state.mean, lag) - state.mean;
     Measurement m = measurement;
@@ -51,16 +52,41 @@ bool isWithin(const OrientedBox& hits, const OrientedBox& box, double margin)
     return true;
 }
 
+bool standsWithKnownLength(const Track& track)
+{
+    return track.hypotheses->standingProbability >= 0.5 && track.told.length;
+}
+
 // Of what stands, of known size, and goes out of sight the last hits are on any part of it, and
 // where they are expected: they tell that it is there, and not where its faces are.
 bool isLastGlimpse(const Track& track, const Sighting& sighting, double margin)
 {
     constexpr double kPart = 0.25;  // of the length
-    if (track.hypotheses->standingProbability < 0.5 || !track.told.length) return false;
+    if (!standsWithKnownLength(track)) return false;
     const bool isPart =
         std::hypot(sighting.around.length, sighting.around.width) < kPart * track.box().length;
     return isPart && !sighting.measurement.hiddenEnds.empty() &&
            isWithin(sighting.around, track.box(), margin);
+}
+
+// Of (x, y, heading, speed): the filter's, and what lasts of the errors.
+Eigen::Matrix4d toldCovariance(const Track& track, const VisibilityOptions& options)
+{
+    Eigen::Matrix4d covariance = track.state.covariance.topLeftCorner<4, 4>();
+    // The centre errs by half of what the length and the width do.
+    const Eigen::Matrix2d axes = rotation(track.state.mean(kHeading));
+    const Eigen::Vector2d bySize(0.25 * std::pow(options.lastingSize, 2),
+                                 0.25 * track.state.widthVariance);
+    covariance.topLeftCorner<2, 2>() += axes * bySize.asDiagonal() * axes.transpose();
+    covariance.topLeftCorner<3, 3>() += track.lastingError;
+    // What lasts of the measurements' errors is at least what the options say.
+    const auto lacking = [](double least, double known)
+    { return std::max(0.0, least * least - known); };
+    const double position =
+        lacking(options.lastingPosition, 0.5 * track.lastingError.topLeftCorner<2, 2>().trace());
+    const double heading = lacking(options.lastingHeading, track.lastingError(2, 2));
+    covariance.diagonal() += Eigen::Vector4d(position, position, heading, 0.0);
+    return covariance;
 }
 }  // namespace
 
@@ -107,15 +133,17 @@ Track sightedTrack(Track track, const Sighting& sighting, double neighbours,
     track.measurement = m;
     track.hits = m.hits;
     if (isLastGlimpse(track, sighting, options.association.surfaceSigma))
-        return stillThere(std::move(track), sighting.time, options.lifecycle);
+        return withConfirmation(stillThere(std::move(track), sighting.time, options.lifecycle),
+                                options.lifecycle);
     MotionHypotheses& hypotheses = *track.hypotheses;
     hypotheses.forEach(
         [&](VehicleState& state)
         { state = grownToAVehicle(state, m, track.height, track.told, visibility); });
     const VehicleState then =
         stateAt(hypotheses.combined(options.motion), sighting.lag, options.motion);
-    BoxMeasurement box =
-        boxThrough(m, faceErrors(m, then, visibility), then.size(), sighting.sensor, visibility);
+    FaceErrors errors = faceErrors(m, then, visibility);
+    if (standsWithKnownLength(track)) errors = withShortRows(errors, m, then);
+    BoxMeasurement box = boxThrough(m, errors, then.size(), sighting.sensor, visibility);
     box.lag = sighting.lag;
     const JitterShares jitter = track.jitter;  // before this sighting
     track.nis = innovationOf(then, withJitterAlone(box, jitter)).nis();
@@ -124,7 +152,7 @@ Track sightedTrack(Track track, const Sighting& sighting, double neighbours,
         { state = openToGrowth(state, broughtTo(state, m, box.lag, options.motion), visibility); });
     track.jitter = jitter.after(then, box, sighting.time - track.lastSeen);
     hypotheses = updated(hypotheses, box, jitter, filter, options.lifecycle.nisGate);
-    if (track.sightings == 1)
+    if (track.sightings == track.startedAt)
         hypotheses.forEach([](VehicleState& state) { state = withUsualCurvature(state); });
     track.lastingError = lastingError(box, jitter);
     track.told = track.told.with(m);
@@ -137,7 +165,8 @@ Track sightedTrack(Track track, const Sighting& sighting, double neighbours,
     const Vector5d& b = box.box;
     appendToPath(track,
                  {sighting.time + sighting.lag, {b(0), b(1), b(2), b(3), b(4)}, locatedFaces(m)});
-    return withCheckedHeading(std::move(track), sighting, neighbours, options);
+    return withConfirmation(withCheckedHeading(std::move(track), sighting, neighbours, options),
+                            options.lifecycle);
 }
 
 Track stillThere(Track track, double time, const LifecycleOptions& options)
@@ -145,9 +174,18 @@ Track stillThere(Track track, double time, const LifecycleOptions& options)
     ++track.sightings;
     track.misses = 0;
     track.lastSeen = time;
-    track = withHit(std::move(track), options);
-    if (track.status == TrackStatus::Coasting ||
-        (track.status == TrackStatus::Tentative && track.sightings >= options.confirmHits))
+    return withHit(std::move(track), options);
+}
+
+Track withConfirmation(Track track, const LifecycleOptions& options)
+{
+    // What may still be across is waited for, but not for long: two-wheelers never tell.
+    constexpr int kPatience = 4;  // sightings
+    const int sightings = track.sightings - track.startedAt + 1;
+    const int enough = track.front.axesProbability() < options.confirmAxes
+                           ? options.confirmHits + kPatience
+                           : options.confirmHits;
+    if (track.status == TrackStatus::Coasting || sightings >= enough)
         track.status = TrackStatus::Confirmed;
     return track;
 }
@@ -208,20 +246,8 @@ TrackReport reportOf(const Track& track, const VisibilityOptions& options,
     report.yawRate = track.state.yawRate();
     report.forwardProbability = track.front.forwardProbability();
     report.type = track.type;
-    report.covariance = track.state.covariance.topLeftCorner<4, 4>();
+    report.covariance = toldCovariance(track, options);
     const double size = std::pow(options.lastingSize, 2);
-    // The centre errs by half of what the length and the width do.
-    const Eigen::Matrix2d axes = rotation(track.state.mean(kHeading));
-    const Eigen::Vector2d bySize(0.25 * size, 0.25 * track.state.widthVariance);
-    report.covariance.topLeftCorner<2, 2>() += axes * bySize.asDiagonal() * axes.transpose();
-    report.covariance.topLeftCorner<3, 3>() += track.lastingError;
-    // What lasts of the measurements' errors is at least what the options say.
-    const auto lacking = [](double least, double known)
-    { return std::max(0.0, least * least - known); };
-    const double position =
-        lacking(options.lastingPosition, 0.5 * track.lastingError.topLeftCorner<2, 2>().trace());
-    const double heading = lacking(options.lastingHeading, track.lastingError(2, 2));
-    report.covariance.diagonal() += Eigen::Vector4d(position, position, heading, 0.0);
     report.lengthVariance = track.state.covariance(kLength, kLength) + size;
     report.widthVariance = track.state.widthVariance + size;
     report.points = track.hits;

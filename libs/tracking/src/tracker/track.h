@@ -51,6 +51,7 @@ struct Track
     double groundZ = 0.0;
     double height = 0.0;
     int sightings = 0;
+    int startedAt = 1;       ///< sighting at which its state was started, or started anew
     int misses = 0;          ///< frames since the last sighting
     double existence = 0.5;  ///< probability that there is an object
     double lastSeen = 0.0;   ///< s
@@ -104,6 +105,9 @@ Track sightedTrack(Track track, const Sighting& sighting, double neighbours,
 
 /// The track after hits of it at that time (s), whatever they told.
 Track stillThere(Track track, double time, const LifecycleOptions& options);
+
+/// The track, confirmed once it was seen often enough for what is known of its axes.
+Track withConfirmation(Track track, const LifecycleOptions& options);
 
 /// What the faces that a sighting shows of a vehicle of that height (m) tell of its axes.
 HeadingCues sizeCues(const Sighting& sighting, double height);

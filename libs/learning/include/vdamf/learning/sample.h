@@ -36,7 +36,6 @@ struct ObjectSample
 };
 
 std::vector<SparseFeature> toSparse(const std::vector<float>& features);
-std::vector<float> toDense(const std::vector<SparseFeature>& features, std::size_t count);
 
 /// All frames of one track, by time.
 struct TrackSamples

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,6 +40,9 @@ struct Curve
     /// In the units of the axes. What an axis cannot show (not finite, zero on a logarithmic one)
     /// interrupts the line; what is outside of its ends is cut off.
     std::vector<Eigen::Vector2d> points;
+    /// Number in the palette: curves of one number belong together. Nothing: the curve's own number
+    /// in the chart.
+    std::optional<std::size_t> colour = std::nullopt;
 };
 
 struct Chart

@@ -116,6 +116,11 @@ FaceErrors faceErrors(const Measurement& measurement, const VisibilityOptions& o
 FaceErrors faceErrors(const Measurement& measurement, const VehicleState& predicted,
                       const VisibilityOptions& options);
 
+/// The same for what stands and whose size is known: where a row of hits is all that tells of an
+/// axis and ends behind where the predicted face is, it is cut short, and counts less by as much.
+FaceErrors withShortRows(const FaceErrors& errors, const Measurement& measurement,
+                         const VehicleState& predicted);
+
 /// The predicted state, less certain of its size where the measurement shows clearly more than it
 /// knew: hits never add to a vehicle, so the face that is ahead most is news. Speed is not touched:
 /// centre, axle and size move as that face does.

@@ -25,6 +25,7 @@ struct LifecycleOptions
     double minHeight = 0.4;   ///< m
     double maxExtent = 25.0;  ///< m
     int confirmHits = 3;
+    double confirmAxes = 0.9;
     double hitProbability = 0.7;
     double endProbability = 0.1;
     double maxCoast = 3.0;          ///< s
@@ -40,6 +41,9 @@ struct LifecycleOptions
         field(self.maxExtent, "max_extent_m", 3.0, 60.0,
               "largest diagonal of a cluster that starts a track");
         field(self.confirmHits, "confirm_hits", 1, 50, "measured frames that confirm a track");
+        field(self.confirmAxes, "confirm_axes_probability", 0.0, 0.99,
+              "that length and width are not exchanged, from which a track is confirmed then; a "
+              "less certain one waits for four more measured frames");
         field(self.hitProbability, "hit_probability", 0.1, 0.99,
               "that an object in full view has hits: each frame in which the sensor sees through "
               "where it ought to be speaks against it; hidden behind something nearer it is not "

@@ -15,6 +15,15 @@ enum class Face : std::uint8_t
     Right = 8
 };
 
+/// The faces by axis of the box (0: its length, 1: its width) and end of that axis (low, high).
+inline constexpr Face kFaceAt[2][2] = {{Face::Back, Face::Front}, {Face::Right, Face::Left}};
+
+/// Which way an end (0: low, 1: high) lies along its axis.
+constexpr double signOfEnd(int end)
+{
+    return end == 0 ? -1.0 : 1.0;
+}
+
 /// A set of faces, for example those that a sensor sees.
 struct FaceSet
 {
@@ -32,6 +41,10 @@ struct FaceSet
     bool empty() const { return bits == 0; }
     bool seesEnd() const { return has(Face::Front) || has(Face::Back); }
     bool seesSide() const { return has(Face::Left) || has(Face::Right); }
+    /// Whether it has a face at an end of an axis.
+    bool seesAcross(int axis) const { return axis == 0 ? seesEnd() : seesSide(); }
+    /// Whether it has a face along an axis: the row of hits on it may tell the ends of that axis.
+    bool seesAlong(int axis) const { return seesAcross(1 - axis); }
     bool operator==(const FaceSet& other) const { return bits == other.bits; }
 };
 

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How a box (x, y, heading, length, width) changes as one of its faces moves, or as it turns.
+#pragma once
+
+#include "vdamf/tracking/types/faces.h"
+#include "vdamf/tracking/types/track.h"
+
+namespace vdamf
+{
+/// d box / d place of the face at an end of an axis, along that axis; the opposite face stays.
+/// `axes`: the box's rotation.
+inline Vector5d byFace(const Eigen::Matrix2d& axes, int axis, int end)
+{
+    Vector5d change = Vector5d::Zero();
+    change.head<2>() = 0.5 * axes.col(axis);
+    change(3 + axis) = signOfEnd(end);
+    return change;
+}
+
+/// d box / d turn about a point; `lever` leads from there to the centre, m.
+inline Vector5d byTurn(const Eigen::Vector2d& lever)
+{
+    Vector5d change = Vector5d::Zero();
+    change.head<3>() << -lever.y(), lever.x(), 1.0;
+    return change;
+}
+
+}  // namespace vdamf

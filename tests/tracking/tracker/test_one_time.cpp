@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tracker/one_time.h"
+
+#include <gtest/gtest.h>
+
+namespace vdamf
+{
+namespace
+{
+// The rear of a car, hit at its bottom and 20 ms later, 0.2 m farther on, at its top.
+SegmentedFrame rearInTwoShots(bool timed)
+{
+    Cluster rear;
+    for (const float y : {-0.5F, 0.0F, 0.5F})
+        for (const float later : {0.0F, 0.02F})
+        {
+            rear.x.push_back(20.0F + 10.0F * later);
+            rear.y.push_back(y);
+            rear.height.push_back(0.5F + 20.0F * later);
+            rear.z.push_back(rear.height.back());
+            if (timed) rear.time.push_back(later);
+        }
+    SegmentedFrame frame;
+    frame.clusters.push_back(rear);
+    frame.hits.push_back(projectHits(rear, 0.0));
+    return frame;
+}
+
+TargetMotion tenMetresPerSecond()
+{
+    TargetMotion motion;
+    motion.centre = {22.0, 0.0};
+    motion.velocity = {10.0, 0.0};
+    return motion;
+}
+
+TEST(OneTime, EachHitIsBroughtToTheMeanTimeWithItsHeight)
+{
+    const HitsAtOneTime seen = hitsAtOneTime(rearInTwoShots(true), {0}, tenMetresPerSecond(), 0.0);
+    EXPECT_NEAR(seen.lag, 0.01, 1e-6);
+    ASSERT_EQ(seen.each.size(), 6U);
+    for (std::size_t i = 0; i < seen.each.size(); ++i)
+    {
+        EXPECT_NEAR(seen.each.x[i], 20.1, 1e-5) << i;
+        EXPECT_NEAR(seen.hits.x[i], 20.1, 1e-5) << i;
+        EXPECT_NEAR(seen.each.height[i], i % 2 == 0 ? 0.5 : 0.9, 1e-6) << i;
+    }
+}
+
+TEST(OneTime, HitsWithoutTimesStayWhereTheyAre)
+{
+    const HitsAtOneTime seen = hitsAtOneTime(rearInTwoShots(false), {0}, tenMetresPerSecond(), 0.0);
+    EXPECT_EQ(seen.lag, 0.0);
+    ASSERT_EQ(seen.each.size(), 6U);
+    for (std::size_t i = 0; i < seen.each.size(); ++i)
+        EXPECT_NEAR(seen.each.x[i], i % 2 == 0 ? 20.0 : 20.2, 1e-5) << i;
+}
+}  // namespace
+}  // namespace vdamf
