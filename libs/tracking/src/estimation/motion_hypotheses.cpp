@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <vector>
 
 #include "estimation/mixed.h"
 #include "estimation/surprise.h"
@@ -86,13 +85,13 @@ struct Measured
 // How hypotheses foretold it.
 struct Foretold
 {
-    std::vector<Surprise> whole, jitter;
+    Surprises whole, jitter;
 
     void add(const PlacedPoint& then, const PlacedPoint& measuredWhole,
              const PlacedPoint& measuredJitter)
     {
-        whole.push_back(surpriseOf(then, measuredWhole));
-        jitter.push_back(surpriseOf(then, measuredJitter));
+        whole.add(surpriseOf(then, measuredWhole));
+        jitter.add(surpriseOf(then, measuredJitter));
     }
 };
 
@@ -136,12 +135,12 @@ struct Rest
 };
 
 // In the order of `foretold`: those that drive, the one that stands, the one that moves freely.
-Rest restOf(const MotionHypotheses& h, const std::vector<Surprise>& foretold, double gate)
+Rest restOf(const MotionHypotheses& h, const Surprises& foretold, double gate)
 {
-    const std::vector<double> likelihood = likelihoods(foretold, gate);
+    const auto likelihood = likelihoods(foretold, gate);
     double wheels = 0.0;
     for (std::size_t k = 0; k < h.kWays; ++k) wheels += h.drivingProbability[k] * likelihood[k];
-    const double free = h.freeProbability > 0.0 ? h.freeProbability * likelihood.back() : 0.0;
+    const double free = h.freeProbability > 0.0 ? h.freeProbability * likelihood[h.kWays + 1] : 0.0;
     const double moves = free + (1.0 - h.freeProbability) * wheels;
     const double stands = h.standingProbability * likelihood[h.kWays];
     return {stands / (stands + (1.0 - h.standingProbability) * moves), free / moves};
@@ -238,20 +237,17 @@ MotionHypotheses updated(const MotionHypotheses& h, const BoxMeasurement& measur
     const Measured measured{measurement, withJitterAlone(measurement, jitter)};
     Foretold foretold;
     MotionHypotheses next = h;
-    std::vector<VehicleState*> states;
-    for (VehicleState& state : next.driving) states.push_back(&state);
-    states.push_back(&next.standing);
-    if (h.freeProbability > 0.0) states.push_back(&next.free);
     const PlacedPoint whole = measuredPoint(measured.whole);
     const PlacedPoint sharpest = measuredPoint(measured.jitter);
-    for (const VehicleState* state : states)
-        foretold.add(foretoldPoint(stateAt(*state, measurement.lag, filter.options()),
-                                   measurement.fixedPoint),
-                     whole, sharpest);
-    const std::vector<Surprise>& sharp = foretold.jitter;
+    next.forEach(
+        [&](const VehicleState& state)
+        {
+            const VehicleState then = stateAt(state, measurement.lag, filter.options());
+            foretold.add(foretoldPoint(then, measurement.fixedPoint), whole, sharpest);
+        });
+    const Surprises& sharp = foretold.jitter;
 
-    const std::vector<double> likelihood =
-        likelihoods({sharp.begin(), sharp.begin() + h.kWays}, nisGate);
+    const auto likelihood = likelihoods(sharp.first(h.kWays), nisGate);
     for (std::size_t k = 0; k < h.kWays; ++k) next.drivingProbability[k] *= likelihood[k];
     next.drivingProbability = asProbabilities(next.drivingProbability);
 
@@ -263,11 +259,16 @@ MotionHypotheses updated(const MotionHypotheses& h, const BoxMeasurement& measur
     if (h.freeProbability > 0.0) next.freeProbability = bounded(restsByAll.free);
 
     const bool refuted = next.standingProbability < kRefuted;
-    for (std::size_t k = 0; k < states.size(); ++k)
-        if (states[k] != &next.standing || !refuted)
-            *states[k] = updatedState(*states[k], measured, foretold.whole[k].nis, sharp[k].nis,
-                                      filter, nisGate);
-    if (foretold.whole.front().nis > nisGate)
+    std::size_t number = 0;
+    next.forEach(
+        [&](VehicleState& state)
+        {
+            const std::size_t k = number++;
+            if (k != h.kWays || !refuted)
+                state = updatedState(state, measured, foretold.whole.each[k].nis, sharp.each[k].nis,
+                                     filter, nisGate);
+        });
+    if (foretold.whole.each.front().nis > nisGate)
         next.driving.front().covariance(kSpeed, kSpeed) += kSurpriseSigma * kSurpriseSigma;
     if (refuted)
         next.standing =
