@@ -52,6 +52,7 @@ Track carAlong(std::uint64_t id)
 Track seen(Track track, const Discriminator& discriminator, std::size_t hits)
 {
     ++track.sightings;
+    track.hits = static_cast<int>(hits);
     track.judgement = discriminator.judged(track, frameWith(hits), {0});
     return track;
 }

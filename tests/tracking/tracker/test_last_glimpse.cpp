@@ -61,7 +61,7 @@ TEST(LastGlimpse, TellsThatAParkedCarIsThereAndNotWhere)
     const TrackerOptions options;
     VehicleKalmanFilter filter{options.motion};
     Track track = parkedFor(20, filter);
-    ASSERT_GT(track.hypotheses.standingProbability, 0.5);
+    ASSERT_GT(track.hypotheses->standingProbability, 0.5);
     track.misses = 1;
     const Track after = sightedTrack(track, glimpseAt(2.1), 0.0, filter, options);
     EXPECT_EQ(after.state.mean, track.state.mean);
@@ -98,7 +98,7 @@ TEST(LastGlimpse, OfAParkedCarRowsThatAreCutShortDoNotMoveIt)
     EXPECT_LT(std::abs(after.state.mean(kSpeed)), 0.2);
     // What is not known to stand may have moved.
     Track mayMove = track;
-    mayMove.hypotheses.standingProbability = 0.3;
+    mayMove.hypotheses->standingProbability = 0.3;
     const Track moved = sightedTrack(mayMove, cut, 0.0, filter, options);
     EXPECT_LT(moved.box().x, after.box().x - 0.03);
 }

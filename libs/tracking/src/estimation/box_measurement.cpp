@@ -1,28 +1,33 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vdamf/tracking/estimation/box_measurement.h"
 
-#include <Eigen/Cholesky>
+#include "types/cholesky.h"
 
 namespace vdamf
 {
 namespace
 {
-struct FixedPoint
-{
-    Eigen::Vector3d value;              // its place and the heading
-    Eigen::Matrix<double, 3, 5> byBox;  // d value / d (x, y, heading, length, width)
-};
-
-// Of a box (x, y, heading, length, width).
-FixedPoint fixedPointOf(const Vector5d& box, const Eigen::Vector2d& at)
+// Of a box (x, y, heading, length, width) with its covariance, where on it the point is being
+// known: by its own axes, for what a measurement does not tell across its faces must not seem to be
+// unknown along them.
+PlacedPoint placedPoint(const Vector5d& box, const Matrix5d& covariance, const Eigen::Vector2d& at)
 {
     const Eigen::Matrix2d r = rotation(box(2));
     const Eigen::Vector2d offset = 0.5 * at.cwiseProduct(box.tail<2>());
-    FixedPoint point{box.head<3>(), Eigen::Matrix<double, 3, 5>::Zero()};
+    // Rows x and y of d point / d (heading, length, width); by the place itself it is the identity.
+    Eigen::Matrix<double, 2, 3> byRest;
+    byRest.col(0) = r * Eigen::Vector2d(-offset.y(), offset.x());
+    byRest.rightCols<2>() = r * (0.5 * at).asDiagonal();
+    const Eigen::Matrix<double, 2, 3> withRest =
+        covariance.topRightCorner<2, 3>() + byRest * covariance.bottomRightCorner<3, 3>();
+    PlacedPoint point{box.head<3>(), {}};
     point.value.head<2>() += r * offset;
-    point.byBox.leftCols<3>().setIdentity();
-    point.byBox.block<2, 1>(0, 2) = r * Eigen::Vector2d(-offset.y(), offset.x());
-    point.byBox.block<2, 2>(0, 3) = r * (0.5 * at).asDiagonal();
+    const Eigen::Matrix2d cross = byRest * covariance.bottomLeftCorner<3, 2>();
+    point.covariance.topLeftCorner<2, 2>() =
+        covariance.topLeftCorner<2, 2>() + cross + withRest * byRest.transpose();
+    point.covariance.topRightCorner<2, 1>() = withRest.col(0);
+    point.covariance.bottomLeftCorner<1, 2>() = withRest.col(0).transpose();
+    point.covariance(2, 2) = covariance(2, 2);
     return point;
 }
 }  // namespace
@@ -40,10 +45,10 @@ BoxMeasurement withKnown(const BoxMeasurement& measurement, Eigen::Index row, do
 
 double Innovation::nis() const
 {
-    return value.dot(covariance.ldlt().solve(value));
+    return Cholesky<3>(covariance).squaredNorm(value);
 }
 
-Innovation innovationOf(const VehicleState& state, const BoxMeasurement& measurement)
+PlacedPoint foretoldPoint(const VehicleState& state, const Eigen::Vector2d& fixedPoint)
 {
     Matrix5d p = Matrix5d::Zero();
     p.topLeftCorner<3, 3>() = state.covariance.topLeftCorner<3, 3>();
@@ -53,14 +58,24 @@ Innovation innovationOf(const VehicleState& state, const BoxMeasurement& measure
     p(4, 4) = state.widthVariance;
     Vector5d box;
     box << state.mean.head<3>(), state.size();
-    const FixedPoint foretold = fixedPointOf(box, measurement.fixedPoint);
-    // Each by its own axes: what the measurement does not tell across its faces must not seem to be
-    // unknown along them.
-    const FixedPoint measured = fixedPointOf(measurement.box, measurement.fixedPoint);
+    return placedPoint(box, p, fixedPoint);
+}
+
+PlacedPoint measuredPoint(const BoxMeasurement& measurement)
+{
+    return placedPoint(measurement.box, measurement.covariance, measurement.fixedPoint);
+}
+
+Innovation innovationOf(const PlacedPoint& foretold, const PlacedPoint& measured)
+{
     Eigen::Vector3d difference = measured.value - foretold.value;
     difference(2) = wrapAngle(difference(2));
-    return {difference, foretold.byBox * p * foretold.byBox.transpose() +
-                            measured.byBox * measurement.covariance * measured.byBox.transpose()};
+    return {difference, foretold.covariance + measured.covariance};
+}
+
+Innovation innovationOf(const VehicleState& state, const BoxMeasurement& measurement)
+{
+    return innovationOf(foretoldPoint(state, measurement.fixedPoint), measuredPoint(measurement));
 }
 
 }  // namespace vdamf

@@ -81,12 +81,12 @@ Innovation inBody(const Innovation& innovation, double heading)
 JitterShares JitterShares::after(const VehicleState& predicted, const BoxMeasurement& measurement,
                                  double dt) const
 {
-    VehicleState exact = predicted;
-    exact.covariance.setZero();
-    exact.widthVariance = 0.0;
     const double heading = measurement.box(2);
-    const Innovation whole = inBody(innovationOf(predicted, measurement), heading);
-    const Innovation fit = inBody(innovationOf(exact, measurement), heading);
+    const PlacedPoint measured = measuredPoint(measurement);
+    const Innovation innovation =
+        innovationOf(foretoldPoint(predicted, measurement.fixedPoint), measured);
+    const Innovation whole = inBody(innovation, heading);
+    const Innovation fit = inBody({innovation.value, measured.covariance}, heading);
     JitterShares next = *this;
     for (Eigen::Index k = 0; k < 3; ++k)
     {

@@ -17,4 +17,34 @@ VehicleState mixed(const VehicleState& one, const VehicleState& other, double p)
     return state;
 }
 
+Mixture::Mixture(const std::array<VehicleState, kStates>& states) : states_(states)
+{
+    for (std::size_t k = 0; k < kStates; ++k)
+    {
+        means_[k] = states[k].mean - states[0].mean;
+        means_[k](kHeading) = wrapAngle(means_[k](kHeading));
+        squares_[k] = states[k].covariance + means_[k] * means_[k].transpose();
+    }
+}
+
+VehicleState Mixture::of(const Weights& weights, std::size_t own) const
+{
+    const double sum = weights[0] + weights[1] + weights[2];
+    VehicleState all;
+    all.steering = states_[own].steering;
+    StateVector mean = StateVector::Zero();
+    for (std::size_t k = 0; k < kStates; ++k)
+    {
+        const double share = weights[k] / sum;
+        mean += share * means_[k];
+        all.covariance += share * squares_[k];
+        all.width += share * states_[k].width;
+        all.widthVariance += share * states_[k].widthVariance;
+    }
+    all.covariance -= mean * mean.transpose();
+    all.mean = states_[0].mean + mean;
+    all.mean(kHeading) = wrapAngle(all.mean(kHeading));
+    return all;
+}
+
 }  // namespace vdamf

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <vector>
 
 #include "estimation/mixed.h"
 #include "estimation/surprise.h"
@@ -62,7 +61,7 @@ double bounded(double probability)
     return std::clamp(probability, kLeast, 1.0 - kLeast);
 }
 
-using Ways = std::array<double, MotionHypotheses::kWays>;
+using Ways = Mixture::Weights;
 
 // The same in proportion, with a sum of 1; nothing is ruled out.
 Ways asProbabilities(Ways weights)
@@ -76,21 +75,6 @@ Ways asProbabilities(Ways weights)
     return weights;
 }
 
-// Mean and covariance of all of them with these probabilities; steering as of the one at `own`.
-VehicleState mixture(const std::array<VehicleState, MotionHypotheses::kWays>& states,
-                     const Ways& probabilities, std::size_t own)
-{
-    VehicleState all = states[own];
-    double sum = probabilities[own];
-    for (std::size_t k = 0; k < states.size(); ++k)
-    {
-        if (k == own) continue;
-        sum += probabilities[k];
-        all = mixed(all, states[k], probabilities[k] / sum);
-    }
-    return all;
-}
-
 // A measured box, whole and with its jitter alone.
 struct Measured
 {
@@ -101,12 +85,13 @@ struct Measured
 // How hypotheses foretold it.
 struct Foretold
 {
-    std::vector<Surprise> whole, jitter;
+    Surprises whole, jitter;
 
-    void add(const VehicleState& then, const Measured& measured)
+    void add(const PlacedPoint& then, const PlacedPoint& measuredWhole,
+             const PlacedPoint& measuredJitter)
     {
-        whole.push_back(surpriseOf(then, measured.whole));
-        jitter.push_back(surpriseOf(then, measured.jitter));
+        whole.add(surpriseOf(then, measuredWhole));
+        jitter.add(surpriseOf(then, measuredJitter));
     }
 };
 
@@ -150,12 +135,12 @@ struct Rest
 };
 
 // In the order of `foretold`: those that drive, the one that stands, the one that moves freely.
-Rest restOf(const MotionHypotheses& h, const std::vector<Surprise>& foretold, double gate)
+Rest restOf(const MotionHypotheses& h, const Surprises& foretold, double gate)
 {
-    const std::vector<double> likelihood = likelihoods(foretold, gate);
+    const auto likelihood = likelihoods(foretold, gate);
     double wheels = 0.0;
     for (std::size_t k = 0; k < h.kWays; ++k) wheels += h.drivingProbability[k] * likelihood[k];
-    const double free = h.freeProbability > 0.0 ? h.freeProbability * likelihood.back() : 0.0;
+    const double free = h.freeProbability > 0.0 ? h.freeProbability * likelihood[h.kWays + 1] : 0.0;
     const double moves = free + (1.0 - h.freeProbability) * wheels;
     const double stands = h.standingProbability * likelihood[h.kWays];
     return {stands / (stands + (1.0 - h.standingProbability) * moves), free / moves};
@@ -163,13 +148,14 @@ Rest restOf(const MotionHypotheses& h, const std::vector<Surprise>& foretold, do
 
 VehicleState onWheels(const MotionHypotheses& h)
 {
-    return mixture(h.driving, h.drivingProbability, 0);
+    return Mixture(h.driving).of(h.drivingProbability, 0);
 }
 
 // Each starts from what all know, weighed with the odds that it came from there.
 MotionHypotheses interacting(const MotionHypotheses& h, double dt)
 {
     MotionHypotheses next = h;
+    const Mixture mixture(h.driving);
     for (std::size_t to = 0; to < h.kWays; ++to)
     {
         Ways from{};
@@ -181,7 +167,7 @@ MotionHypotheses interacting(const MotionHypotheses& h, double dt)
                       (k == to ? stays : (1.0 - stays) * kRates[k][to] / leaves);
         }
         next.drivingProbability[to] = std::accumulate(from.begin(), from.end(), 0.0);
-        next.driving[to] = mixture(h.driving, from, to);
+        next.driving[to] = mixture.of(from, to);
     }
     return next;
 }
@@ -190,10 +176,12 @@ MotionHypotheses interacting(const MotionHypotheses& h, double dt)
 VehicleState MotionHypotheses::combined(const MotionOptions& options) const
 {
     const double freeShare = share(freeProbability);
+    const double standingShare = share(standingProbability);
+    if (standingShare == 1.0) return standing;
     const VehicleState wheels = onWheels(*this);
     const VehicleState moving =
         freeShare > 0.0 ? mixed(wheels, variableAxisOf(free, wheels, options), freeShare) : wheels;
-    return mixed(moving, standing, share(standingProbability));
+    return standingShare > 0.0 ? mixed(moving, standing, standingShare) : moving;
 }
 
 MotionHypotheses hypothesesFrom(const VehicleState& state, const MotionOptions& options)
@@ -238,13 +226,8 @@ MotionHypotheses drifted(const MotionHypotheses& h, const Eigen::Matrix3d& lasti
                          double viewChange)
 {
     MotionHypotheses next = h;
-    next.forEach(
-        [&](VehicleState state)
-        {
-            state.covariance.topLeftCorner<3, 3>() +=
-                std::min(1.0, 2.0 * viewChange) * lastingError;
-            return state;
-        });
+    const Eigen::Matrix3d less = std::min(1.0, 2.0 * viewChange) * lastingError;
+    next.forEach([&](VehicleState& state) { state.covariance.topLeftCorner<3, 3>() += less; });
     return next;
 }
 
@@ -254,16 +237,17 @@ MotionHypotheses updated(const MotionHypotheses& h, const BoxMeasurement& measur
     const Measured measured{measurement, withJitterAlone(measurement, jitter)};
     Foretold foretold;
     MotionHypotheses next = h;
-    std::vector<VehicleState*> states;
-    for (VehicleState& state : next.driving) states.push_back(&state);
-    states.push_back(&next.standing);
-    if (h.freeProbability > 0.0) states.push_back(&next.free);
-    for (const VehicleState* state : states)
-        foretold.add(stateAt(*state, measurement.lag, filter.options()), measured);
-    const std::vector<Surprise>& sharp = foretold.jitter;
+    const PlacedPoint whole = measuredPoint(measured.whole);
+    const PlacedPoint sharpest = measuredPoint(measured.jitter);
+    next.forEach(
+        [&](const VehicleState& state)
+        {
+            const VehicleState then = stateAt(state, measurement.lag, filter.options());
+            foretold.add(foretoldPoint(then, measurement.fixedPoint), whole, sharpest);
+        });
+    const Surprises& sharp = foretold.jitter;
 
-    const std::vector<double> likelihood =
-        likelihoods({sharp.begin(), sharp.begin() + h.kWays}, nisGate);
+    const auto likelihood = likelihoods(sharp.first(h.kWays), nisGate);
     for (std::size_t k = 0; k < h.kWays; ++k) next.drivingProbability[k] *= likelihood[k];
     next.drivingProbability = asProbabilities(next.drivingProbability);
 
@@ -275,11 +259,16 @@ MotionHypotheses updated(const MotionHypotheses& h, const BoxMeasurement& measur
     if (h.freeProbability > 0.0) next.freeProbability = bounded(restsByAll.free);
 
     const bool refuted = next.standingProbability < kRefuted;
-    for (std::size_t k = 0; k < states.size(); ++k)
-        if (states[k] != &next.standing || !refuted)
-            *states[k] = updatedState(*states[k], measured, foretold.whole[k].nis, sharp[k].nis,
-                                      filter, nisGate);
-    if (foretold.whole.front().nis > nisGate)
+    std::size_t number = 0;
+    next.forEach(
+        [&](VehicleState& state)
+        {
+            const std::size_t k = number++;
+            if (k != h.kWays || !refuted)
+                state = updatedState(state, measured, foretold.whole.each[k].nis, sharp.each[k].nis,
+                                     filter, nisGate);
+        });
+    if (foretold.whole.each.front().nis > nisGate)
         next.driving.front().covariance(kSpeed, kSpeed) += kSurpriseSigma * kSurpriseSigma;
     if (refuted)
         next.standing =

@@ -11,7 +11,6 @@
 #include <mrpt/bayes/CKalmanFilterCapable.h>
 #pragma pop_macro("MRPT_LOG_DEBUG")
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
 #include <type_traits>
@@ -19,6 +18,7 @@
 
 #include "estimation/by_size.h"
 #include "estimation/transition.h"
+#include "types/cholesky.h"
 
 namespace mrpt::math
 {
@@ -134,7 +134,7 @@ public:
         runOneKalmanIteration();
 
         const Eigen::Matrix<double, 7, 4> follow =
-            covariance.llt().solve(withMeasured.transpose()).transpose();
+            Cholesky<4>(covariance).solveFromRight<7>(withMeasured);
         const Eigen::Matrix4d less = covariance - m_pkk.asEigen();
         const StateMatrix p = state.covariance - follow * less * follow.transpose();
         VehicleState next = state;

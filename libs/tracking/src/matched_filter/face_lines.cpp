@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "matched_filter/face_lines.h"
 
-#include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -9,6 +8,7 @@
 #include "matched_filter/face_hull.h"
 #include "matched_filter/near_faces.h"
 #include "matched_filter/range_noise.h"
+#include "types/cholesky.h"
 
 namespace vdamf
 {
@@ -59,7 +59,7 @@ bool reweigh(const NearFaces& faces, double rangeNoise, Lines& lines)
         squares += sums.squares;
         count += sums.count;
     }
-    const Eigen::Vector3d step = information.ldlt().solve(pull);
+    const Eigen::Vector3d step = Cholesky<3>(information).solve(pull);
     lines.q += step;
     lines.information = information;
     // For Gaussian residuals the weights keep this share of the variance.

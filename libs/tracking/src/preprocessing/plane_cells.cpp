@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "types/wide_lanes.h"
 
@@ -98,19 +99,25 @@ std::vector<Sum> sumsOf(PlaneHits& hits, CellBitmap& bitmap, std::uint32_t first
         bitmap.occupy(static_cast<int>(place & 0xFFFFU), static_cast<int>(place >> 16));
     }
     std::vector<Sum> sums(bitmap.enumerate());
-    for (std::size_t i = 0; i < hits.size(); ++i)
-    {
-        const std::uint32_t place = hits.place[i];
-        if (place == kNone) continue;
-        const std::uint32_t number =
-            bitmap.number(static_cast<int>(place & 0xFFFFU), static_cast<int>(place >> 16));
-        hits.place[i] = number;
-        Sum& sum = sums[number];
-        sum.x += hits.x[i];
-        sum.y += hits.y[i];
-        ++sum.hits;
-        sum.place = place;
-    }
+    // No lanes, but those processors have an instruction that counts bits.
+    inWideLanes([
+        &bitmap = std::as_const(bitmap), size = hits.size(), x = hits.x.data(), y = hits.y.data(),
+        places = hits.place.data(), all = sums.data()
+    ]() __attribute__((always_inline)) {
+        for (std::size_t i = 0; i < size; ++i)
+        {
+            const std::uint32_t place = places[i];
+            if (place == kNone) continue;
+            const std::uint32_t number =
+                bitmap.number(static_cast<int>(place & 0xFFFFU), static_cast<int>(place >> 16));
+            places[i] = number;
+            Sum& sum = all[number];
+            sum.x += x[i];
+            sum.y += y[i];
+            ++sum.hits;
+            sum.place = place;
+        }
+    });
     return sums;
 }
 }  // namespace
@@ -127,14 +134,17 @@ PlaneCells sortIntoCells(const LadarFrame& frame, const AboveGround& above)
     cells.ofHit = std::move(hits.place);
     cells.x.resize(sums.size() + PlaneCells::kPadding);
     cells.y.resize(sums.size() + PlaneCells::kPadding);
+    cells.hits.resize(sums.size());
+    cells.column.resize(sums.size());
+    cells.row.resize(sums.size());
     for (std::size_t n = 0; n < sums.size(); ++n)
     {
         const auto count = static_cast<float>(sums[n].hits);
         cells.x[n] = sums[n].x / count;
         cells.y[n] = sums[n].y / count;
-        cells.hits.push_back(sums[n].hits);
-        cells.column.push_back(static_cast<std::uint16_t>(sums[n].place & 0xFFFFU));
-        cells.row.push_back(static_cast<std::uint16_t>(sums[n].place >> 16));
+        cells.hits[n] = sums[n].hits;
+        cells.column[n] = static_cast<std::uint16_t>(sums[n].place & 0xFFFFU);
+        cells.row[n] = static_cast<std::uint16_t>(sums[n].place >> 16);
     }
     return cells;
 }

@@ -35,27 +35,30 @@ Judgement Discriminator::judged(const Track& track, const SegmentedFrame& frame,
                                 const std::vector<std::size_t>& clusters) const
 {
     Judgement next = track.judgement;
-    if (options_.isOff() || !track.measurement) return next;
-    ObjectView view;
-    view.box = track.measurement->box;
-    view.sensor = frame.sensor;
-    view.match = track.measurement->match;
-    view.frameHits = frame.points;
-    view.planar = frame.planar;
-    std::size_t hits = 0;
-    for (const std::size_t k : clusters)
+    if (options_.isOff() || track.hits == 0) return next;
+    if (track.measurement)
     {
-        view.clusters.push_back(&frame.clusters[k]);
-        hits += frame.clusters[k].size();
-    }
-    if (mayTellMore(track, hits))
-    {
-        next.logOdds = frameLogOdds(model().frame, objectScore(view, model()), hits);
-        next.hits = hits;
+        ObjectView view;
+        view.box = track.measurement->box;
+        view.sensor = frame.sensor;
+        view.match = track.measurement->match;
+        view.frameHits = frame.points;
+        view.planar = frame.planar;
+        std::size_t hits = 0;
+        for (const std::size_t k : clusters)
+        {
+            view.clusters.push_back(&frame.clusters[k]);
+            hits += frame.clusters[k].size();
+        }
+        if (mayTellMore(track, hits))
+        {
+            next.logOdds = frameLogOdds(model().frame, objectScore(view, model()), hits);
+            next.hits = hits;
+        }
+        if (options_.keepFeatures) next.features = objectFeatures(view, model().grid);
     }
     // What was not looked at is taken to say the same again.
     next.evidence = withFrame(next.evidence, next.logOdds, model().track, model().frame.prior);
-    if (options_.keepFeatures) next.features = objectFeatures(view, model().grid);
     return next;
 }
 

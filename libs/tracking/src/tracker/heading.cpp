@@ -164,7 +164,7 @@ Track quarterTurned(const Track& track, const Sighting& sighting, int quarters,
     next.state = fresh.state;
     next.measurement = fresh.measurement;
     next.around = fresh.around;
-    next.hypotheses = hypothesesFrom(next.state, options.motion);
+    *next.hypotheses = hypothesesFrom(next.state, options.motion);
     next.startedAt = track.sightings;
     if (!course) next.status = TrackStatus::Tentative;
     return next;
@@ -191,10 +191,10 @@ VehicleState reversed(const VehicleState& state, const MotionOptions& motion)
 Track reversed(const Track& track, const MotionOptions& motion)
 {
     Track next = track;
-    for (VehicleState& state : next.hypotheses.driving) state = reversed(state, motion);
-    next.hypotheses.standing = reversed(track.hypotheses.standing, motion);
-    next.hypotheses.free.mean(kHeading) = wrapAngle(track.hypotheses.free.mean(kHeading) + kPi);
-    next.state = next.hypotheses.combined(motion);
+    for (VehicleState& state : next.hypotheses->driving) state = reversed(state, motion);
+    next.hypotheses->standing = reversed(track.hypotheses->standing, motion);
+    next.hypotheses->free.mean(kHeading) = wrapAngle(track.hypotheses->free.mean(kHeading) + kPi);
+    next.state = next.hypotheses->combined(motion);
     next.measurement = alignedWith(*track.measurement, next.state.mean(kHeading));
     next.around.x = -track.around.x;
     next.around.y = -track.around.y;

@@ -69,12 +69,20 @@ FaceRow rowOf(std::vector<RowHit>::iterator begin, std::vector<RowHit>::iterator
 {
     const auto size = static_cast<std::size_t>(end - begin);
     const std::size_t outermost = size / 100;
-    std::vector<RowHit> lowest(outermost + 1);
-    std::vector<RowHit> highest(outermost + 1);
-    std::partial_sort_copy(begin, end, lowest.begin(), lowest.end());
-    std::partial_sort_copy(begin, end, highest.begin(), highest.end(), std::greater<>());
     FaceRow row;
-    row.metres = highest.back().first - lowest.back().first;
+    if (outermost == 0)
+    {
+        const auto [first, last] = std::minmax_element(begin, end);
+        row.metres = last->first - first->first;
+    }
+    else
+    {
+        std::vector<RowHit> lowest(outermost + 1);
+        std::vector<RowHit> highest(outermost + 1);
+        std::partial_sort_copy(begin, end, lowest.begin(), lowest.end());
+        std::partial_sort_copy(begin, end, highest.begin(), highest.end(), std::greater<>());
+        row.metres = highest.back().first - lowest.back().first;
+    }
     for (auto hit = begin; hit != end; ++hit) row.hits += hit->second;
     return row;
 }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "tracker/sighting.h"
+#include "types/boxed.h"
 #include "vdamf/tracking/discrimination/classify.h"
 #include "vdamf/tracking/estimation/heading_belief.h"
 #include "vdamf/tracking/estimation/jitter.h"
@@ -41,7 +42,7 @@ struct Track
 {
     std::uint64_t id = 0;
     TrackStatus status = TrackStatus::Tentative;
-    MotionHypotheses hypotheses;
+    Boxed<MotionHypotheses> hypotheses;
     VehicleState state;  ///< mean of the hypotheses
     JitterShares jitter;
     Eigen::Matrix3d lastingError =
@@ -62,8 +63,10 @@ struct Track
     Judgement judgement;
     std::vector<double> typeEvidence;  ///< by filter of the bank, log-likelihoods
     std::optional<TypeProbability> type;
+    double stoodProbability = 0.0;  ///< that it did, before the last prediction
     // Of the current frame:
-    std::optional<Measurement> measurement;
+    int hits = 0;
+    std::optional<Measurement> measurement;  ///< nothing where it was glanced at, too
     std::optional<double> nis;
 
     OrientedBox box() const { return state.box(); }
@@ -99,6 +102,12 @@ Track startedTrack(std::uint64_t id, const Sighting& sighting, const StartSpeed&
 /// `neighbours`: log odds for the axes held, by the vehicles around it.
 Track sightedTrack(Track track, const Sighting& sighting, double neighbours,
                    VehicleKalmanFilter& filter, const TrackerOptions& options);
+
+/// The track after hits of it at that time (s), whatever they told.
+Track stillThere(Track track, double time, const LifecycleOptions& options);
+
+/// The track, confirmed once it was seen often enough for what is known of its axes.
+Track withConfirmation(Track track, const LifecycleOptions& options);
 
 /// What the faces that a sighting shows of a vehicle of that height (m) tell of its axes.
 HeadingCues sizeCues(const Sighting& sighting, double height);

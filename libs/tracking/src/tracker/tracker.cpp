@@ -9,6 +9,7 @@
 #include "tracker/discriminate.h"
 #include "tracker/duplicates.h"
 #include "tracker/existence.h"
+#include "tracker/glance.h"
 #include "tracker/neighbourhood.h"
 #include "tracker/new_sightings.h"
 #include "tracker/one_time.h"
@@ -47,7 +48,7 @@ public:
         enter(Stage::Measurement);
         const auto sightings = measureTracks(segmented, assignment);
         enter(Stage::Update);
-        updateTracks({frame.time, segmented.sensor, segmented.profile, view}, sightings);
+        updateTracks(segmented, view, assignment, sightings);
         enter(Stage::NewTracks);
         assignment = startTracks(segmented, std::move(assignment));
         enter(Stage::Discrimination);
@@ -130,10 +131,27 @@ private:
         workers_.forEach(tracks_.size(),
                          [&](std::size_t j, std::size_t)
                          {
-                             if (!assignment[j].empty())
-                                 sightings[j] = measure(tracks_[j], frame, assignment[j]);
+                             const std::vector<std::size_t>& clusters = assignment[j];
+                             if (!clusters.empty() && !isGlanceEnough(tracks_[j], frame, clusters))
+                                 sightings[j] = measure(tracks_[j], frame, clusters);
                          });
         return sightings;
+    }
+
+    // Features are asked for to learn from: all of them.
+    bool isGlanceEnough(const Track& track, const SegmentedFrame& frame,
+                        const std::vector<std::size_t>& clusters) const
+    {
+        return isClutter(track) && !options_.discriminator.keepFeatures &&
+               isWhereItWas(track, frame, clusters);
+    }
+
+    // What is hardly a vehicle, but at each fourth sighting: it may have been ruled out by mistake.
+    bool isClutter(const Track& track) const
+    {
+        constexpr std::uint64_t kLookAgain = 4;
+        const std::uint64_t turn = static_cast<std::uint64_t>(track.sightings) + 1 + track.id;
+        return turn % kLookAgain != 0 && discriminator_.rulesOut(track);
     }
 
     // From the predicted pose.
@@ -153,16 +171,17 @@ private:
     {
         constexpr double kVague = 0.3;      // m
         constexpr double kPoorMatch = 0.6;  // of the last one
-        constexpr int kLookAgain = 4;       // sightings, for what was ruled out by mistake
-        const bool isTurn = track.sightings % kLookAgain == 0;
-        if (!isTurn && discriminator_.rulesOut(track)) return {0.0, true};
+        if (isClutter(track)) return {0.0, true};
         const bool isVague = track.positionSigma() >= kVague;
         return {isVague ? std::numeric_limits<double>::infinity() : kPoorMatch * track.lastMatch,
                 false};
     }
 
-    void updateTracks(const OpenView& view, const std::vector<std::optional<Sighting>>& sightings)
+    void updateTracks(const SegmentedFrame& frame, const FieldOfView& field,
+                      const std::vector<std::vector<std::size_t>>& assignment,
+                      const std::vector<std::optional<Sighting>>& sightings)
     {
+        const OpenView view{frame.time, frame.sensor, frame.profile, field};
         const Neighbourhood around(tracks_, discriminator_);
         workers_.forEach(
             tracks_.size(),
@@ -175,6 +194,9 @@ private:
                                      around.axesEvidence(sightings[j]->measurement.box, track.id),
                                      filters_[worker], options_),
                         *sightings[j]);
+                else if (!assignment[j].empty())
+                    track =
+                        glancedTrack(std::move(track), frame, assignment[j], options_.lifecycle);
                 else
                     track = withMiss(std::move(track), view, options_.lifecycle);
             });

@@ -27,6 +27,15 @@ struct BoxMeasurement
 BoxMeasurement withKnown(const BoxMeasurement& measurement, Eigen::Index row, double value,
                          double variance);
 
+/// Where the fixed point of a measurement is, and the heading: world, m and rad.
+struct PlacedPoint
+{
+    Eigen::Vector3d value = Eigen::Vector3d::Zero();
+    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+};
+PlacedPoint foretoldPoint(const VehicleState& state, const Eigen::Vector2d& fixedPoint);
+PlacedPoint measuredPoint(const BoxMeasurement& measurement);
+
 /// How a measurement sits with a predicted state, judged by what it tells best: place of its fixed
 /// point and heading, 3 degrees of freedom. The state is that at the measurement's own time.
 struct Innovation
@@ -37,5 +46,6 @@ struct Innovation
     double nis() const;  ///< normalised innovation squared
 };
 Innovation innovationOf(const VehicleState& state, const BoxMeasurement& measurement);
+Innovation innovationOf(const PlacedPoint& foretold, const PlacedPoint& measured);
 
 }  // namespace vdamf

@@ -31,12 +31,13 @@ struct MotionHypotheses
     /// Mean and covariance of the mixture, as a state of the variable axis.
     VehicleState combined(const MotionOptions& options) const;
 
-    /// Replaces the state of each hypothesis by `change` of it.
-    template <class Change>
-    void forEach(Change&& change)
+    /// Calls `visit` with the state of each hypothesis that is tracked.
+    template <class Visit>
+    void forEach(Visit&& visit)
     {
-        for (VehicleState& state : driving) state = change(state);
-        for (VehicleState* state : {&standing, &free}) *state = change(*state);
+        for (VehicleState& state : driving) visit(state);
+        visit(standing);
+        if (freeProbability > 0.0) visit(free);
     }
 };
 

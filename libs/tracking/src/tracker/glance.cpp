@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tracker/glance.h"
+
+#include <cmath>
+#include <utility>
+
+namespace vdamf
+{
+namespace
+{
+// Of rectangles of the same heading.
+bool haveSameEnds(const OrientedBox& a, const OrientedBox& b)
+{
+    constexpr double kSame = 0.3;  // m
+    const Eigen::Vector2d moved = toBoxFrame(a, b.centre()).cwiseAbs();
+    const Eigen::Vector2d grown(std::abs(b.length - a.length), std::abs(b.width - a.width));
+    return (moved + 0.5 * grown).maxCoeff() < kSame;
+}
+}  // namespace
+
+bool isWhereItWas(const Track& track, const SegmentedFrame& frame,
+                  const std::vector<std::size_t>& clusters)
+{
+    if (track.misses > 0 || track.stoodProbability < 0.5) return false;
+    const OrientedBox before = track.boxOfHits();
+    return haveSameEnds(before, rectangleAround(hitsOf(frame, clusters), before.heading));
+}
+
+Track glancedTrack(Track track, const SegmentedFrame& frame,
+                   const std::vector<std::size_t>& clusters, const LifecycleOptions& options)
+{
+    track.hypotheses->standingProbability = track.stoodProbability;
+    double weight = 0.0;
+    for (const std::size_t k : clusters) weight += frame.hits[k].totalWeight;
+    track.hits = static_cast<int>(std::lround(weight));
+    return withConfirmation(stillThere(std::move(track), frame.time, options), options);
+}
+
+}  // namespace vdamf

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A look at what is no vehicle and stands: is it where it was? Attention goes to what may be a
+// vehicle; walls, poles and hedges are measured now and then and glanced at in between.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "tracker/sighting.h"
+#include "tracker/track.h"
+
+namespace vdamf
+{
+/// Whether the track was likely to stand, and its hits end where those did that it was measured by:
+/// if not, it has to be measured.
+bool isWhereItWas(const Track& track, const SegmentedFrame& frame,
+                  const std::vector<std::size_t>& clusters);
+
+/// The track after a frame in which that holds. It stands as likely as before the frame, and no
+/// frame tells where more sharply than was foretold.
+Track glancedTrack(Track track, const SegmentedFrame& frame,
+                   const std::vector<std::size_t>& clusters, const LifecycleOptions& options);
+
+}  // namespace vdamf

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What is no vehicle and stands is glanced at most of the time, and measured as soon as it differs.
+#include "tracker/glance.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+
+#include "tracking/tracker/example_frames.h"
+
+namespace vdamf
+{
+namespace
+{
+// Two rows of hits around a middle, as long and as wide as a hedge.
+SegmentedFrame hedgeAt(const Eigen::Vector2d& middle, double length)
+{
+    SegmentedFrame frame;
+    frame.time = 2.0;
+    Hits hits;
+    for (int k = 0; k <= 20; ++k)
+        for (const double side : {-0.4, 0.4})
+        {
+            hits.x.push_back(middle.x() + length * (k / 20.0 - 0.5));
+            hits.y.push_back(middle.y() + side);
+            hits.weight.push_back(2.0);
+            hits.totalWeight += 2.0;
+        }
+    frame.hits.push_back(hits);
+    frame.clusters.resize(1);
+    return frame;
+}
+
+Track hedge()
+{
+    Track track;
+    track.state.mean << 12.0, 5.0, 0.0, 0.0, 0.0, 1.0, 4.5;
+    track.state.width = 1.8;
+    track.around = {-0.5, 0.3, 0.0, 3.0, 0.8};
+    track.sightings = 10;
+    track.status = TrackStatus::Confirmed;
+    track.stoodProbability = 0.8;
+    track.hypotheses->standingProbability = 0.75;
+    return track;
+}
+
+const Eigen::Vector2d kMiddle(11.5, 5.3);
+
+TEST(Glance, IsEnoughWhereTheHitsEndWhereTheyDid)
+{
+    EXPECT_TRUE(isWhereItWas(hedge(), hedgeAt(kMiddle, 3.0), {0}));
+    EXPECT_TRUE(isWhereItWas(hedge(), hedgeAt(kMiddle + Eigen::Vector2d(0.1, 0.1), 3.2), {0}));
+}
+
+TEST(Glance, IsNotEnoughForWhatMovesGrowsShrinksOrWasLost)
+{
+    EXPECT_FALSE(isWhereItWas(hedge(), hedgeAt(kMiddle + Eigen::Vector2d(0.5, 0.0), 3.0), {0}));
+    EXPECT_FALSE(isWhereItWas(hedge(), hedgeAt(kMiddle + Eigen::Vector2d(0.0, -0.5), 3.0), {0}));
+    EXPECT_FALSE(isWhereItWas(hedge(), hedgeAt(kMiddle, 4.0), {0}));
+    EXPECT_FALSE(isWhereItWas(hedge(), hedgeAt(kMiddle, 2.0), {0}));
+    // One end moves while the other one stays.
+    EXPECT_FALSE(isWhereItWas(hedge(), hedgeAt(kMiddle + Eigen::Vector2d(0.2, 0.0), 3.4), {0}));
+    Track moves = hedge();
+    moves.stoodProbability = 0.4;
+    EXPECT_FALSE(isWhereItWas(moves, hedgeAt(kMiddle, 3.0), {0}));
+    Track lost = hedge();
+    lost.misses = 1;
+    EXPECT_FALSE(isWhereItWas(lost, hedgeAt(kMiddle, 3.0), {0}));
+}
+
+TEST(Glance, TellsThatItIsThereAndStandsAndNoMore)
+{
+    const Track before = hedge();
+    const Track after = glancedTrack(before, hedgeAt(kMiddle, 3.0), {0}, LifecycleOptions());
+    EXPECT_EQ(after.state.mean, before.state.mean);
+    EXPECT_EQ(after.state.covariance, before.state.covariance);
+    EXPECT_EQ(after.hypotheses->standingProbability, 0.8);
+    EXPECT_EQ(after.hits, 84);
+    EXPECT_EQ(after.sightings, 11);
+    EXPECT_EQ(after.lastSeen, 2.0);
+    EXPECT_GT(after.existence, before.existence);
+    EXPECT_FALSE(after.measurement.has_value());
+    EXPECT_FALSE(after.nis.has_value());
+}
+
+// A tracker whose discriminator takes everything for the same.
+Tracker trackerThatTakesAllFor(double logOdds)
+{
+    DiscriminatorModel model = untrainedModel();
+    model.bias = logOdds;
+    TrackerOptions options;
+    options.discriminator.loaded = std::make_shared<const DiscriminatorModel>(model);
+    return Tracker(options);
+}
+
+// Frames in which a standing body was seen and in which it was measured.
+struct Looks
+{
+    int seen = 0;
+    int measured = 0;
+};
+
+Looks looksAtABody(double logOdds)
+{
+    Tracker tracker = trackerThatTakesAllFor(logOdds);
+    Looks looks;
+    for (int k = 0; k < 30; ++k)
+    {
+        const std::vector<ExampleBody> bodies{{{14.0, 4.0, 0.0, 4.0, 1.8}, 1.5, {0.0, 0.0}}};
+        const FrameResult result = tracker.process(
+            exampleFrame(0.1 * k, {0.0, 0.0}, bodies, 100U + static_cast<unsigned>(k)));
+        EXPECT_EQ(result.tracks.size(), 1U);
+        if (k < 10 || result.tracks.size() != 1) continue;
+        const TrackReport& track = result.tracks.front();
+        EXPECT_EQ(track.id, 1U);
+        EXPECT_EQ(track.status, TrackStatus::Confirmed);
+        EXPECT_LT(std::abs(track.speed), 0.15);
+        looks.seen += track.points > 0 ? 1 : 0;
+        looks.measured += track.measuredBox ? 1 : 0;
+    }
+    return looks;
+}
+
+TEST(Glance, SavesThreeOfFourMeasurementsOfClutterAndNoneOfVehicles)
+{
+    const Looks clutter = looksAtABody(-4.0);
+    EXPECT_EQ(clutter.seen, 20);
+    EXPECT_EQ(clutter.measured, 5);
+    const Looks vehicle = looksAtABody(4.0);
+    EXPECT_EQ(vehicle.seen, 20);
+    EXPECT_EQ(vehicle.measured, 20);
+}
+
+}  // namespace
+}  // namespace vdamf
