@@ -146,10 +146,13 @@ private:
                isWhereItWas(track, frame, clusters);
     }
 
-    // What is hardly a vehicle, but at each fourth sighting: it may have been ruled out by mistake.
+    // What is hardly a vehicle, but at each fourth sighting, and not at first, when little is in
+    // view: it may have been ruled out by mistake.
     bool isClutter(const Track& track) const
     {
+        constexpr int kYoung = 6;  // sightings
         constexpr std::uint64_t kLookAgain = 4;
+        if (track.sightings < kYoung) return false;
         const std::uint64_t turn = static_cast<std::uint64_t>(track.sightings) + 1 + track.id;
         return turn % kLookAgain != 0 && discriminator_.rulesOut(track);
     }
