@@ -85,6 +85,12 @@ TEST(GrownToAVehicle, WhatHidesAPartOfAnEndHidesAWholeCar)
     piece.facesSeen.add(Face::Right);
     piece.hiddenEnds.add(Face::Front);
     EXPECT_EQ(grownToAVehicle(small, piece, 1.5, SizesTold(), o).mean, grown.mean);
+    // Of what is too wide for a car all of an end has to have been seen: hits beyond it make no
+    // truck.
+    piece.box.width = small.width = 2.4;
+    EXPECT_EQ(grownToAVehicle(small, piece, 3.0, SizesTold(), o).mean, small.mean);
+    EXPECT_GT(grownToAVehicle(small, piece, 3.0, {false, true}, o).mean(kLength), 7.0);
+    small.width = 0.9;
     // All of an end as narrow is none of a car.
     EXPECT_EQ(grownToAVehicle(small, rearOf(1.2), 1.5, SizesTold(), o).mean, small.mean);
 }

@@ -178,8 +178,10 @@ VehicleState grownToAVehicle(const VehicleState& predicted, const Measurement& m
         if (!told.width && isPieceOfACarsEnd(m, height))
             return grownTo(grownTo(predicted, 1, notHidden(m), carWidth(height, o)), 0, seen,
                            carLength(height, o));
-        return grownTo(predicted, 0, seen,
-                       lengthBehind(std::min(m.box.width, predicted.width), height, o));
+        // No truck by hits beyond an end of which not all was ever seen.
+        const double width = std::min(m.box.width, predicted.width);
+        if (width < widestCar(height) || told.width || locatesWidth(m))
+            return grownTo(predicted, 0, seen, lengthBehind(width, height, o));
     }
     // No vehicle is as long and narrow: of that end a part is seen.
     const bool isNarrow = told.width && predicted.width < kCarEnd;
