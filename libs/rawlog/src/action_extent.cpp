@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "action_extent.h"
 
-
 namespace vdamf
 {
 namespace

@@ -60,16 +60,35 @@ TEST_F(Confirmation, WaitsForAWhileWhereAxesAreUndecided)
     EXPECT_EQ(sightingsUntilConfirmed(), 7);
     EXPECT_LT(track_.front.axesProbability(), 0.99);
     options_.lifecycle.confirmAxes = 0.0;
-    EXPECT_EQ(sightingsUntilConfirmed(), 3);
+    EXPECT_EQ(sightingsUntilConfirmed(), 4);  // of which one is for the speed
+}
+
+TEST_F(Confirmation, WaitsForAWhileWhereTheSpeedIsNotKnown)
+{
+    const auto seenWithin = [this](double metres)
+    {
+        track_ = {};
+        while (track_.status == TrackStatus::Tentative && track_.sightings < 50)
+        {
+            Sighting s = rearAt(0.1 * track_.sightings, 1.8);
+            s.measurement.covariance(0, 0) = metres * metres;
+            see(s);
+        }
+        return track_.sightings;
+    };
+    EXPECT_EQ(seenWithin(0.03), 4);
+    EXPECT_LT(track_.state.covariance(kSpeed, kSpeed), 4.0);
+    EXPECT_GT(seenWithin(1.0), 4);
+    EXPECT_LE(track_.sightings, 7);
 }
 
 TEST_F(Confirmation, BeginsAnewWhereAxesAreExchanged)
 {
-    for (const double time : {0.0, 0.1, 0.2}) see(rearAt(time, 1.8));
+    for (const double time : {0.0, 0.1, 0.2, 0.3}) see(rearAt(time, 1.8));
     ASSERT_EQ(track_.status, TrackStatus::Confirmed);
     ASSERT_LT(heading(), 0.2);
     // No car is so wide.
-    int k = 3;
+    int k = 4;
     for (; heading() < 0.2 && k < 10; ++k) see(rearAt(0.1 * k, 4.0));
     ASSERT_GT(heading(), 1.3);
     EXPECT_EQ(track_.status, TrackStatus::Tentative);
@@ -90,9 +109,11 @@ TEST_F(Confirmation, BeginsAnewWhereAxesAreExchanged)
 
 TEST_F(Confirmation, IsKeptWhereTheCourseToldThatAxesAreExchanged)
 {
-    // It slides along what is taken for its width: that is its length.
+    // It stands, and then slides along what is taken for its width: that is its length.
     int k = 0;
-    for (; heading() < 0.2 && k < 20; ++k) see(rearAt(0.1 * k, 1.8, 0.6 * k));
+    for (; k < 5; ++k) see(rearAt(0.1 * k, 1.8));
+    ASSERT_EQ(track_.status, TrackStatus::Confirmed);
+    for (; heading() < 0.2 && k < 30; ++k) see(rearAt(0.1 * k, 1.8, 0.6 * (k - 4)));
     ASSERT_GT(heading(), 1.3);
     EXPECT_EQ(track_.status, TrackStatus::Confirmed);
     EXPECT_NEAR(std::abs(track_.state.mean(kSpeed)), 6.0, 1.0);

@@ -187,9 +187,10 @@ Track withConfirmation(Track track, const LifecycleOptions& options)
     // What may still be across is waited for, but not for long: two-wheelers never tell.
     constexpr int kPatience = 4;  // sightings
     const int sightings = track.sightings - track.startedAt + 1;
-    const int enough = track.front.axesProbability() < options.confirmAxes
-                           ? options.confirmHits + kPatience
-                           : options.confirmHits;
+    constexpr double kVagueSpeed = 2.0;  // m/s
+    const bool isVague = track.front.axesProbability() < options.confirmAxes ||
+                         track.state.covariance(kSpeed, kSpeed) > kVagueSpeed * kVagueSpeed;
+    const int enough = options.confirmHits + (isVague ? kPatience : 0);
     if (track.status == TrackStatus::Coasting || sightings >= enough)
         track.status = TrackStatus::Confirmed;
     return track;

@@ -42,8 +42,10 @@ struct LifecycleOptions
               "largest diagonal of a cluster that starts a track");
         field(self.confirmHits, "confirm_hits", 1, 50, "measured frames that confirm a track");
         field(self.confirmAxes, "confirm_axes_probability", 0.0, 0.99,
-              "that length and width are not exchanged, from which a track is confirmed then; a "
-              "less certain one waits for four more measured frames");
+              "that length and width are not exchanged, from which a track is confirmed then; one "
+              "that "
+              "is less certain, or whose speed is not known to 2 m/s, waits for four more measured "
+              "frames");
         field(self.hitProbability, "hit_probability", 0.1, 0.99,
               "that an object in full view has hits: each frame in which the sensor sees through "
               "where it ought to be speaks against it; hidden behind something nearer it is not "
