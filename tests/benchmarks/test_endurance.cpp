@@ -19,6 +19,7 @@ Plan shortDrive()
     Plan plan;
     plan.rawlog = VDAMF_SOURCE_DIR "/fuzz/corpus/track/clouds";
     plan.rows = 4;
+    plan.configuration.tracker.lifecycle.confirmHits = 1;  // it has five frames
     return plan;
 }
 
