@@ -16,8 +16,9 @@ TEST(LeavingView, AParkedCarStaysWhereItStands)
         "field_of_view_deg = 240\n"
         "[platform]\nx_m = 0\ny_m = -1.75\nspeed_mps = 8\n"
         "[object parked]\nclass = hatchback\nx_m = 17\ny_m = -4.7\n");
+    const auto tracked = trackedObjects(scene);
     int coasting = 0;
-    for (const Seen& frame : trackedObjects(scene).at("parked"))
+    for (const Seen& frame : tracked.at("parked"))
     {
         if (frame.time < 1.0) continue;
         ASSERT_FALSE(frame.tracks.empty()) << frame.time;
