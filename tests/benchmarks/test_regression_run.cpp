@@ -44,6 +44,17 @@ protected:
                         "' --source . --bounds bounds.csv --out out --jobs 2 " +
                         arguments);
     }
+
+    std::vector<RegressionRow> table() const
+    {
+        return readRegressionTable(at("out/regression.csv"));
+    }
+
+    /// Of the first scenario in the table.
+    std::optional<double> value(const char* metric) const
+    {
+        return table().at(0).values[metricIndex(metric).value()];
+    }
 };
 
 TEST_F(RegressionRun, AnotherTrackerInPlaceOfOurs)
@@ -51,10 +62,7 @@ TEST_F(RegressionRun, AnotherTrackerInPlaceOfOurs)
     if (!hasPrograms()) GTEST_SKIP() << "built without the programs";
     const Outcome run = bench("--only street --tracker " VDAMF_CONVENTIONAL_TRACKER);
     ASSERT_EQ(run.exitCode, 0) << run.output;
-    const std::vector<RegressionRow> rows = readRegressionTable(at("out/regression.csv"));
-    ASSERT_EQ(rows.size(), 1U);
-    const auto value = [&](const char* metric)
-    { return rows[0].values[metricIndex(metric).value()]; };
+    ASSERT_EQ(table().size(), 1U);
     EXPECT_EQ(value("frames"), 15.0);
     EXPECT_GT(value("recall").value(), 0.5);
     EXPECT_GT(value("time_per_frame_ms").value(), 0.0);
@@ -69,10 +77,7 @@ TEST_F(RegressionRun, OneScenarioFromScansToTable)
     if (!hasPrograms()) GTEST_SKIP() << "built without the programs";
     const Outcome run = bench("--only street");
     ASSERT_EQ(run.exitCode, 0) << run.output;
-    const std::vector<RegressionRow> rows = readRegressionTable(at("out/regression.csv"));
-    ASSERT_EQ(rows.size(), 1U);
-    const auto value = [&](const char* metric)
-    { return rows[0].values[metricIndex(metric).value()]; };
+    ASSERT_EQ(table().size(), 1U);
     EXPECT_EQ(value("frames"), 15.0);
     EXPECT_EQ(value("objects"), 1.0);
     EXPECT_GT(value("recall").value(), 0.5);
