@@ -74,6 +74,31 @@ bool isLastGlimpse(const Track& track, const Sighting& sighting, double margin)
            isWithin(sighting.around, track.box(), margin);
 }
 
+// A car whose length was never seen is taken for a longer one as more of its end comes into view.
+Track withEndFollowed(Track track, const Measurement& m, const VisibilityOptions& options)
+{
+    const bool isAssumed = options.assumeVehicleSize && !track.told.length &&
+                           isCarsEnd(track.hypotheses->standing.width, track.highest);
+    if (!isAssumed)
+    {
+        track.assumedLength.reset();
+        return track;
+    }
+    if (!m.facesSeen.seesEnd()) return track;
+    const std::optional<double> width =
+        track.told.width ? std::optional(track.state.width) : std::nullopt;
+    const AssumedSize now = carLength(track.highest, width, options);
+    if (track.assumedLength)
+    {
+        const double seen = m.facesSeen.has(Face::Front) ? 1.0 : -1.0;
+        track.hypotheses->forEach(
+            [&](VehicleState& state)
+            { state = withLengthAssumed(state, *track.assumedLength, now, seen); });
+    }
+    track.assumedLength = now;
+    return track;
+}
+
 // Of (x, y, heading, speed): the filter's, and what lasts of the errors.
 Eigen::Matrix4d toldCovariance(const Track& track, const VisibilityOptions& options)
 {
@@ -114,11 +139,13 @@ Track startedTrack(std::uint64_t id, const Sighting& sighting, const StartSpeed&
     track.state = stateAt(seen, -sighting.lag, options.motion);
     *track.hypotheses = hypothesesFrom(track.state, options.motion);
     track.groundZ = sighting.groundZ;
-    track.height = sighting.height;
+    track.height = track.highest = sighting.height;
     track.sightings = 1;
     track.lastSeen = sighting.time;
     track.seenFrom = sighting.sensor;
     track.told = SizesTold().with(m);
+    if (!track.told.length)
+        track.assumedLength = assumedSizes(m, track.height, options.visibility).length;
     track.around = inFrameOf(seen.box(), sighting.around);
     track.front = HeadingBelief(sizeCues(sighting, track.height));
     track.measurement = m;
@@ -162,7 +189,9 @@ Track sightedTrack(Track track, const Sighting& sighting, double neighbours,
     track.lastingError = lastingError(box, jitter);
     track.told = track.told.with(m);
     track.around = inFrameOf(then.box(), sighting.around);
-    track.state = hypotheses.combined(options.motion);
+    track.highest = std::max(track.highest, std::min(track.height, sighting.height));
+    track = withEndFollowed(std::move(track), m, visibility);
+    track.state = track.hypotheses->combined(options.motion);
     track.lastMatch = m.match;
     track.groundZ = sighting.groundZ;
     track.height = std::max(sighting.height, 0.95 * track.height + 0.05 * sighting.height);
