@@ -30,9 +30,10 @@ constexpr AssumedSize kWider{0.3, 0.1};
 // vehicles that are lower than 2.45 m).
 constexpr double kHighCar = 1.7;  // m
 constexpr double kLowVan = 2.0;   // m
-constexpr AssumedSize kLonger{0.45, 0.4};
+constexpr AssumedSize kLonger{0.55, 0.4};
 constexpr double kLongerByWidth = 0.9;
-constexpr double kOddWidth = 0.35;  // m, over or under a car's: mirrors, or not all of an end
+constexpr double kSeemsWider = 0.08;  // m, as hits show it, by mirrors and round corners
+constexpr double kOddWidth = 0.35;    // m, over or under a car's: mirrors, or not all of an end
 
 bool couldBeACar(const Measurement& m, double height)
 {
@@ -53,9 +54,9 @@ double widestCar(double height)
 AssumedSize carLength(double height, const std::optional<double>& width, const VisibilityOptions& o)
 {
     const double van = std::clamp((height - kHighCar) / (kLowVan - kHighCar), 0.0, 1.0);
-    const double wider = width.value_or(carWidth(height, o).metres) - o.carWidth;
-    return {o.carLength + van * kLonger.metres +
-                kLongerByWidth * std::clamp(wider, -kOddWidth, kOddWidth),
+    const double told = width ? *width - kSeemsWider : carWidth(height, o).metres;
+    const double wider = std::clamp(told - o.carWidth, -kOddWidth, kOddWidth);
+    return {o.carLength + van * kLonger.metres + kLongerByWidth * wider,
             std::hypot(o.carLengthSigma, van * kLonger.sigma)};
 }
 
