@@ -121,7 +121,7 @@ TEST(Existence, HitsMakeATrackLastLonger)
     {
         Track track = carAhead(0.1);
         track.existence = 0.5;
-        for (int k = 0; k < hits; ++k) track = withHit(track, {});
+        for (int k = 0; k < hits; ++k) track = withHit(track, 0.0, {});
         EXPECT_LE(track.existence, 0.99);
         while (track.status != TrackStatus::Ended)
             track = withMiss(track, {0.0, {0.0, 0.0}, open, FieldOfView(groundAround())}, {});

@@ -85,10 +85,27 @@ double shareSeenThrough(const Track& track, const OpenView& view)
     return least;
 }
 
-Track withHit(Track track, const LifecycleOptions& options)
+Track withHit(Track track, double time, const LifecycleOptions& options)
 {
+    ++track.sightings;
+    track.misses = 0;
+    track.lastSeen = time;
     const double odds = oddsOf(track.existence) * options.hitProbability / kFalseHits;
     track.existence = std::min(kSurest, probabilityOf(odds));
+    return track;
+}
+
+Track withConfirmation(Track track, const LifecycleOptions& options)
+{
+    // What may still be across is waited for, but not for long: two-wheelers never tell.
+    constexpr int kPatience = 4;  // sightings
+    const int sightings = track.sightings - track.startedAt + 1;
+    const double speedSigma = std::sqrt(track.state.covariance(kSpeed, kSpeed));
+    const bool isVague = track.front.axesProbability() < options.confirmAxes ||
+                         speedSigma > options.confirmSpeedSigma;
+    const int enough = options.confirmHits + (isVague ? kPatience : 0);
+    if (track.status == TrackStatus::Coasting || sightings >= enough)
+        track.status = TrackStatus::Confirmed;
     return track;
 }
 
