@@ -29,7 +29,7 @@ struct LifecycleOptions
     double confirmSpeedSigma = 2.0;  ///< m/s
     double hitProbability = 0.7;
     double endProbability = 0.1;
-    double maxCoast = 3.0;          ///< s
+    double maxCoast = 8.0;          ///< s
     double startSpeedSigma = 16.0;  ///< m/s
     double nisGate = 11.34;
 
