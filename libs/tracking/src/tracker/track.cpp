@@ -165,8 +165,7 @@ Track sightedTrack(Track track, const Sighting& sighting, double neighbours,
     track.measurement = m;
     track.hits = m.hits;
     if (isLastGlimpse(track, sighting, options.association.surfaceSigma))
-        return withConfirmation(stillThere(std::move(track), sighting.time, options.lifecycle),
-                                options.lifecycle);
+        return withHit(std::move(track), sighting.time, options.lifecycle);
     MotionHypotheses& hypotheses = *track.hypotheses;
     hypotheses.forEach(
         [&](VehicleState& state)
@@ -195,34 +194,11 @@ Track sightedTrack(Track track, const Sighting& sighting, double neighbours,
     track.lastMatch = m.match;
     track.groundZ = sighting.groundZ;
     track.height = std::max(sighting.height, 0.95 * track.height + 0.05 * sighting.height);
-    track = stillThere(std::move(track), sighting.time, options.lifecycle);
+    track = withHit(std::move(track), sighting.time, options.lifecycle);
     const Vector5d& b = box.box;
     appendToPath(track,
                  {sighting.time + sighting.lag, {b(0), b(1), b(2), b(3), b(4)}, locatedFaces(m)});
-    return withConfirmation(withCheckedHeading(std::move(track), sighting, neighbours, options),
-                            options.lifecycle);
-}
-
-Track stillThere(Track track, double time, const LifecycleOptions& options)
-{
-    ++track.sightings;
-    track.misses = 0;
-    track.lastSeen = time;
-    return withHit(std::move(track), options);
-}
-
-Track withConfirmation(Track track, const LifecycleOptions& options)
-{
-    // What may still be across is waited for, but not for long: two-wheelers never tell.
-    constexpr int kPatience = 4;  // sightings
-    const int sightings = track.sightings - track.startedAt + 1;
-    constexpr double kVagueSpeed = 2.0;  // m/s
-    const bool isVague = track.front.axesProbability() < options.confirmAxes ||
-                         track.state.covariance(kSpeed, kSpeed) > kVagueSpeed * kVagueSpeed;
-    const int enough = options.confirmHits + (isVague ? kPatience : 0);
-    if (track.status == TrackStatus::Coasting || sightings >= enough)
-        track.status = TrackStatus::Confirmed;
-    return track;
+    return withCheckedHeading(std::move(track), sighting, neighbours, options);
 }
 
 Track movedBy(Track track, const Eigen::Vector3d& by)

@@ -105,12 +105,6 @@ Track startedTrack(std::uint64_t id, const Sighting& sighting, const StartSpeed&
 Track sightedTrack(Track track, const Sighting& sighting, double neighbours,
                    VehicleKalmanFilter& filter, const TrackerOptions& options);
 
-/// The track after hits of it at that time (s), whatever they told.
-Track stillThere(Track track, double time, const LifecycleOptions& options);
-
-/// The track, confirmed once it was seen often enough for what is known of its axes.
-Track withConfirmation(Track track, const LifecycleOptions& options);
-
 /// What the faces that a sighting shows of a vehicle of that height (m) tell of its axes.
 HeadingCues sizeCues(const Sighting& sighting, double height);
 
