@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "tracker/existence.h"
+#include "vdamf/tracking/estimation/lasting_rest.h"
 
 namespace vdamf
 {
@@ -221,15 +222,12 @@ Track predictedTrack(Track track, double dt, const Eigen::Vector2d& sensor,
 {
     track.stoodProbability = track.hypotheses->standingProbability;
     const View before = viewOf(track.hypotheses->driving.front().box(), track.seenFrom);
-    const MotionHypotheses later = predicted(*track.hypotheses, dt, filter, options);
+    const MotionHypotheses later =
+        atLastingRest(predicted(*track.hypotheses, dt, filter, options), track.stoodProbability, dt);
     const View now = viewOf(later.driving.front().box(), sensor);
     *track.hypotheses = drifted(later, track.lastingError, changeOfView(before, now));
     track.seenFrom = sensor;
-    // Unseen, a vehicle is likelier to go straight on than to keep turning in a circle.
-    constexpr double kTurnTime = 0.7;  // s
-    if (track.misses > 0)
-        for (VehicleState& state : track.hypotheses->driving)
-            state.mean(kCurvature) *= std::exp(-dt / kTurnTime);
+    if (track.misses > 0) *track.hypotheses = unseen(*track.hypotheses, dt);
     track.state = track.hypotheses->combined(options);
     track.hits = 0;
     track.measurement.reset();
