@@ -67,6 +67,25 @@ TEST(PartialFaces, AWholeFaceTellsItAsMeasured)
     EXPECT_EQ(withTurnOfPieces(withSide).covariance, withSide.measurement.covariance);
 }
 
+TEST(PartialFaces, BetweenHiddenEndsTheBoxIsAsLongAsTheRow)
+{
+    Sighting side = rearSeen(0.0);
+    Measurement& m = side.measurement;
+    m.box.heading = 0.5 * kPi;
+    m.facesSeen = FaceSet();
+    m.facesSeen.add(Face::Left);
+    m.hiddenEnds.add(Face::Front);
+    m.hiddenEnds.add(Face::Back);
+    side.side = {2.0, 30.0, -0.7};
+    const OrientedBox box = withRowsBetweenHiddenEnds(side).box;
+    EXPECT_NEAR(box.x, m.box.x, 1e-12);
+    EXPECT_NEAR(box.y, m.box.y - 0.7, 1e-12);
+    EXPECT_EQ(box.length, 2.0);
+    EXPECT_EQ(box.width, m.box.width);
+    m.hiddenEnds.remove(Face::Back);
+    EXPECT_EQ(withRowsBetweenHiddenEnds(side).box.length, m.box.length);
+}
+
 TEST(PartialFaces, HitsAboveTheBumperMayLieBehindTheEnd)
 {
     const Sighting rear = rearSeen(1.8);

@@ -8,6 +8,7 @@
 
 #include "types/box_changes.h"
 #include "vdamf/tracking/estimation/occlusion.h"
+#include "vdamf/tracking/estimation/visibility.h"
 
 namespace vdamf
 {
@@ -68,6 +69,24 @@ Measurement withoutEndsBelowView(const Sighting& sighting, const SegmentedFrame&
         if (!below.has(end)) continue;
         m.facesSeen.remove(end);
         m.hiddenEnds.add(end);
+    }
+    return m;
+}
+
+Measurement withRowsBetweenHiddenEnds(const Sighting& sighting)
+{
+    Measurement m = sighting.measurement;
+    for (const int axis : {0, 1})
+    {
+        const FaceRow& row = axis == 0 ? sighting.side : sighting.end;
+        const FaceSet located = locatedFaces(m);
+        if (!m.facesSeen.seesAlong(axis) || located.has(kFaceAt[axis][0]) ||
+            located.has(kFaceAt[axis][1]) || row.hits == 0.0)
+            continue;
+        const Eigen::Vector2d to = row.middle * rotation(m.box.heading).col(axis);
+        m.box.x += to.x();
+        m.box.y += to.y();
+        (axis == 0 ? m.box.length : m.box.width) = std::max(0.1, row.metres);
     }
     return m;
 }
