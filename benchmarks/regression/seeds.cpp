@@ -147,7 +147,9 @@ std::string seedsTable(const std::vector<RegressionRow>& rows)
                   "  95 %", kErrors[0].title, kErrors[1].title, kErrors[2].title, kErrors[3].title);
     std::string table = "ANEES (1 is right; * too confident, . too cautious) and RMS errors\n";
     table += heading.data();
-    for (const Group& group : byScenario(rows)) table += lineOf(group);
+    const std::vector<Group> groups = byScenario(rows);
+    for (const Group& group : groups) table += lineOf(group);
+    if (groups.size() > 1) table += lineOf({"all, as one population", rows});
     return table;
 }
 

@@ -51,6 +51,15 @@ TEST(RegressionSeeds, TellsWhetherTheMeanIsInItsBand)
     EXPECT_THAT(table, Not(HasSubstr("1.00*")));
 }
 
+TEST(RegressionSeeds, AllScenesAreOnePopulation)
+{
+    std::vector<RegressionRow> rows;
+    for (int k = 0; k < 50; ++k) rows.push_back(regressionRow("turn/seed", 0.5));
+    EXPECT_THAT(seedsTable(rows), Not(HasSubstr("population"))) << "the scene is all there is";
+    for (int k = 0; k < 50; ++k) rows.push_back(regressionRow("stop/seed", 1.5));
+    EXPECT_THAT(seedsTable(rows), HasSubstr("all, as one population     100   1.00  0.85-1.17"));
+}
+
 TEST(RegressionSeeds, WhatIsNotKnownIsLeftOut)
 {
     RegressionRow unknown = regressionRow("turn/seed_2", 5.0);

@@ -20,14 +20,16 @@ VehicleState unknownSpeed()
     return s;
 }
 
-// Follows a vehicle along x, measured at 10 Hz with 6 cm of noise.
+// Follows a vehicle along x, measured at 10 Hz with 6 cm of noise, or a part of it.
 class Follower
 {
 public:
+    explicit Follower(double noise = 1.0) : noise_(noise) {}
+
     void see(double x)
     {
         BoxMeasurement m;
-        const auto noise = [&](double sigma) { return sigma * gauss_(generator_); };
+        const auto noise = [&](double sigma) { return noise_ * sigma * gauss_(generator_); };
         m.box << x + noise(0.06), noise(0.03), noise(0.01), 4.5 + noise(0.1), 1.8;
         m.covariance.diagonal() << 0.0036, 0.0009, 1e-4, 0.01, 0.01;
         hypotheses = updated(predicted(hypotheses, 0.1, filter_, options_), m, JitterShares(),
@@ -37,6 +39,7 @@ public:
     MotionHypotheses hypotheses = hypothesesFrom(unknownSpeed(), MotionOptions());
 
 private:
+    double noise_;
     MotionOptions options_;
     VehicleKalmanFilter filter_{MotionOptions()};
     std::mt19937_64 generator_{4};
@@ -100,6 +103,31 @@ TEST(MotionHypotheses, WhatGoesOnSteadilyIsKnownBetterThanWhatBrakes)
     EXPECT_LT(follower.hypotheses.drivingProbability.back(), 0.3);
     EXPECT_GT(sigma(), 1.2 * steady);
     EXPECT_NEAR(follower.hypotheses.combined(MotionOptions()).mean(kSpeed), speed, 2.0 * sigma());
+}
+
+TEST(MotionHypotheses, WhatIsForetoldBetterThanTrafficIsKnownBetterAndFollowedAsSoon)
+{
+    Follower usual(1.0);
+    Follower calm(0.3);
+    double x = 0.0;
+    double speed = 15.0;
+    const auto drive = [&](double acceleration, int frames)
+    {
+        for (int k = 0; k < frames; ++k)
+        {
+            x += 0.1 * (speed += 0.1 * acceleration);
+            usual.see(x);
+            calm.see(x);
+        }
+    };
+    const auto variance = [](const Follower& f)
+    { return f.hypotheses.combined(MotionOptions()).covariance(kSpeed, kSpeed); };
+    drive(0.0, 80);
+    EXPECT_LT(calm.hypotheses.unrest.value(), 0.3);
+    EXPECT_LT(variance(calm), 0.5 * variance(usual));
+    drive(-4.0, 10);
+    EXPECT_NEAR(calm.hypotheses.combined(MotionOptions()).mean(kSpeed), speed, 0.6);
+    EXPECT_GT(variance(calm), 0.3 * variance(usual));
 }
 
 // A lane change at 15 m/s, measured well.

@@ -13,18 +13,20 @@ namespace vdamf
 namespace
 {
 constexpr double kRestTime = 1.6;  // s, in which vehicles that stand may start, or stop
-// Vehicles hold their speed for so long (s) in the mean, and change it for as long, and their
-// steering as well, apart from each other. So from one way to another, 1/s; what does both may end
-// up either way.
-constexpr double kHolds = 4.0;
-constexpr double kChanges = 1.0 / kHolds;
+// Vehicles hold their speed for 4 s in the mean, then change it for 3 s; their steering they hold
+// and change for 4 s each, apart from it. So from one way to another, 1/s; what does both may end
+// up either way. From a later way to an earlier one it begins to change something.
+constexpr double kBegins = 1.0 / 4.0;
+constexpr double kEndsSpeed = 1.0 / 3.0;
+constexpr double kEndsTurn = 1.0 / 4.0;
 constexpr double kRates[MotionHypotheses::kWays][MotionHypotheses::kWays] = {
-    {0.0, 0.5 * kChanges, 0.5 * kChanges}, {kChanges, 0.0, kChanges}, {kChanges, kChanges, 0.0}};
+    {0.0, 0.5 * kEndsSpeed, 0.5 * kEndsSpeed}, {kBegins, 0.0, kEndsTurn}, {kBegins, kBegins, 0.0}};
 // At the start, as much for what foretells sharply as for what does not.
 constexpr std::array<double, MotionHypotheses::kWays> kAtStart{0.5, 0.25, 0.25};
 constexpr std::array<Steering, MotionHypotheses::kWays> kSteerings{
     Steering::VariableAxis, Steering::Turning, Steering::Steady};
 constexpr double kLeast = 0.02;         // of a probability: nothing is ruled out
+constexpr double kLeastOfWays = 5e-4;   // those come back by their rates
 constexpr double kRefuted = 0.05;       // of the standing hypothesis
 constexpr double kFree = 0.03;          // of what moves, does not follow wheels
 constexpr double kStartYawRate = 0.3;   // rad/s
@@ -66,13 +68,21 @@ using Ways = Mixture::Weights;
 // The same in proportion, with a sum of 1; nothing is ruled out.
 Ways asProbabilities(Ways weights)
 {
-    for (const double least : {0.0, kLeast})
+    for (const double least : {0.0, kLeastOfWays})
     {
         double sum = 0.0;
         for (double& each : weights) sum += each = std::max(each, least);
         for (double& each : weights) each /= sum;
     }
     return weights;
+}
+
+// After a measurement that they foretold so well.
+Ways weighed(Ways ways, const Surprises& foretold, double gate)
+{
+    const auto likelihood = likelihoods(foretold.first(ways.size()), gate);
+    for (std::size_t k = 0; k < ways.size(); ++k) ways[k] *= likelihood[k];
+    return asProbabilities(ways);
 }
 
 // A measured box, whole and with its jitter alone.
@@ -151,8 +161,14 @@ VehicleState onWheels(const MotionHypotheses& h)
     return Mixture(h.driving).of(h.drivingProbability, 0);
 }
 
+// How often a vehicle goes over from one way to another, 1/s.
+double rateOf(std::size_t from, std::size_t to, double calm)
+{
+    return to < from ? calm * kRates[from][to] : kRates[from][to];
+}
+
 // Each starts from what all know, weighed with the odds that it came from there.
-MotionHypotheses interacting(const MotionHypotheses& h, double dt)
+MotionHypotheses interacting(const MotionHypotheses& h, double dt, double calm)
 {
     MotionHypotheses next = h;
     const Mixture mixture(h.driving);
@@ -161,10 +177,11 @@ MotionHypotheses interacting(const MotionHypotheses& h, double dt)
         Ways from{};
         for (std::size_t k = 0; k < h.kWays; ++k)
         {
-            const double leaves = std::accumulate(kRates[k], kRates[k] + h.kWays, 0.0);
+            double leaves = 0.0;
+            for (std::size_t way = 0; way < h.kWays; ++way) leaves += rateOf(k, way, calm);
             const double stays = std::exp(-dt * leaves);
             from[k] = h.drivingProbability[k] *
-                      (k == to ? stays : (1.0 - stays) * kRates[k][to] / leaves);
+                      (k == to ? stays : (1.0 - stays) * rateOf(k, to, calm) / leaves);
         }
         next.drivingProbability[to] = std::accumulate(from.begin(), from.end(), 0.0);
         next.driving[to] = mixture.of(from, to);
@@ -209,8 +226,10 @@ MotionHypotheses predicted(const MotionHypotheses& h, double dt, VehicleKalmanFi
                            const MotionOptions& options)
 {
     const double stays = std::exp(-dt / kRestTime);
-    MotionHypotheses next = interacting(h, dt);
-    for (VehicleState& state : next.driving) state = filter.predict(state, dt);
+    const double calm = h.unrest.calm();
+    MotionHypotheses next = interacting(h, dt, calm);
+    for (VehicleState& state : next.driving) state = filter.predict(state, dt, calm);
+    next.unrest = h.unrest.later(dt);
     next.standing = standingLater(h.standing, dt, options);
     const double rest = restProbability(next.driving.front());
     next.standingProbability = rest + stays * (h.standingProbability - rest);
@@ -247,9 +266,8 @@ MotionHypotheses updated(const MotionHypotheses& h, const BoxMeasurement& measur
         });
     const Surprises& sharp = foretold.jitter;
 
-    const auto likelihood = likelihoods(sharp.first(h.kWays), nisGate);
-    for (std::size_t k = 0; k < h.kWays; ++k) next.drivingProbability[k] *= likelihood[k];
-    next.drivingProbability = asProbabilities(next.drivingProbability);
+    next.unrest = h.unrest.after(sharp.each[h.kWays - 1].nis / 3.0);
+    next.drivingProbability = weighed(h.drivingProbability, sharp, nisGate);
 
     const Rest rests = restOf(h, sharp, nisGate);
     const Rest restsByAll = restOf(h, foretold.whole, nisGate);

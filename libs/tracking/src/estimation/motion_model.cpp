@@ -24,13 +24,14 @@ StateVector VariableAxisModel::bounded(const StateVector& state) const
     return withinBounds(state, options_);
 }
 
-MotionOptions optionsOf(Steering steering, MotionOptions options)
+MotionOptions optionsOf(Steering steering, MotionOptions options, double calm)
 {
     if (steering == Steering::VariableAxis) return options;
-    options.accelerationSigma *= options.steadyShare;
+    const double share = options.steadyShare * std::sqrt(calm);
+    options.accelerationSigma *= share;
     if (steering == Steering::Turning) return options;
-    options.maxCurvatureRate *= options.steadyShare;
-    options.lateralJerk *= options.steadyShare;
+    options.maxCurvatureRate *= share;
+    options.lateralJerk *= share;
     return options;
 }
 

@@ -97,9 +97,11 @@ public:
 
     // As MRPT's iteration predicts, without the innovation and the line for its log that it works
     // out even where nothing was measured.
-    VehicleState predicted(const VehicleState& state, double dt) const
+    VehicleState predicted(const VehicleState& state, double dt, double calm) const
     {
-        const MotionModel& model = modelFor(state.steering);
+        const MotionModel& usual = modelFor(state.steering);
+        const VariableAxisModel calmer(optionsOf(state.steering, options_, calm));
+        const MotionModel& model = calm < 1.0 ? calmer : usual;
         VehicleState next = transitioned(model, state, dt);
         next.mean = model.bounded(next.mean);
         const StateMatrix p = next.covariance;
@@ -253,10 +255,10 @@ const MotionOptions& VehicleKalmanFilter::options() const
     return engine_->options();
 }
 
-VehicleState VehicleKalmanFilter::predict(const VehicleState& state, double dt)
+VehicleState VehicleKalmanFilter::predict(const VehicleState& state, double dt, double calm)
 {
     if (dt <= 0.0) return state;
-    return engine_->predicted(state, dt);
+    return engine_->predicted(state, dt, calm);
 }
 
 VehicleState VehicleKalmanFilter::update(const VehicleState& state,

@@ -12,6 +12,7 @@
 #include <cstddef>
 
 #include "vdamf/tracking/estimation/jitter.h"
+#include "vdamf/tracking/estimation/unrest.h"
 #include "vdamf/tracking/estimation/vehicle_kalman_filter.h"
 #include "vdamf/tracking/types/vehicle_state.h"
 
@@ -23,6 +24,7 @@ struct MotionHypotheses
     /// Follow their wheels: Steering::VariableAxis, Turning, Steady.
     std::array<VehicleState, kWays> driving;
     std::array<double, kWays> drivingProbability{};  ///< among those, their sum is 1
+    Unrest unrest;                                   ///< of the steady one
     VehicleState standing;                           ///< speed and curvature are zero
     double standingProbability = 0.5;
     VehicleState free;             ///< Steering::Independent

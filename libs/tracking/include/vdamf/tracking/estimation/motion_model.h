@@ -55,8 +55,8 @@ private:
 };
 
 /// Options of a steering that follows wheels: those of Steering::VariableAxis, with weaker changes
-/// of what it hardly changes.
-MotionOptions optionsOf(Steering steering, MotionOptions options);
+/// of what it hardly changes. `calm`: share that is left of the variance of those.
+MotionOptions optionsOf(Steering steering, MotionOptions options, double calm = 1.0);
 
 /// The model that a state's rows are meant for.
 std::unique_ptr<MotionModel> modelOf(Steering steering, const MotionOptions& options);

@@ -23,8 +23,8 @@ public:
     VehicleKalmanFilter(VehicleKalmanFilter&&) noexcept;
     VehicleKalmanFilter& operator=(VehicleKalmanFilter&&) noexcept;
 
-    /// The state `dt` seconds later.
-    VehicleState predict(const VehicleState& state, double dt);
+    /// The state `dt` seconds later. `calm`: see optionsOf().
+    VehicleState predict(const VehicleState& state, double dt, double calm = 1.0);
     /// The state after a measurement of what it will be `measurement.lag` seconds later.
     VehicleState update(const VehicleState& state, const BoxMeasurement& measurement);
     const MotionOptions& options() const;
