@@ -220,9 +220,10 @@ TEST(GrownToAVehicle, LengthFollowsTheWidthOfTheEndAndTheRearStays)
     half.width = 1.7;
     const Measurement rear = measured({20.0, 0.0, 0.0, 1.2, 1.75}, faces({Face::Back}));
     const VehicleState grown = grownToAVehicle(half, rear, 1.5, SizesTold(), o);
-    EXPECT_NEAR(grown.mean(kLength), o.carLength, 1e-9);
+    const double length = carLength(1.5, 1.7, o).metres;
+    EXPECT_NEAR(grown.mean(kLength), length, 1e-9);
     EXPECT_NEAR(grown.mean(kX) - 0.5 * grown.mean(kLength), 20.0 - 0.6, 1e-9);
-    EXPECT_NEAR(grown.mean(kAxis) - half.mean(kAxis), 0.5 * (o.carLength - 1.2), 1e-9);
+    EXPECT_NEAR(grown.mean(kAxis) - half.mean(kAxis), 0.5 * (length - 1.2), 1e-9);
     EXPECT_EQ(grown.mean(kSpeed), 8.0);
     EXPECT_GT(grown.covariance(kLength, kLength), 0.9 * o.carLengthSigma * o.carLengthSigma);
 

@@ -78,6 +78,45 @@ TEST(PartialFaces, HitsAboveTheBumperMayLieBehindTheEnd)
     EXPECT_NEAR(varianceAt(high, 24.5, 0.0), varianceAt(seen, 24.5, 0.0), 0.01);
 }
 
+// Of a rear half hidden by what is nearer the roof shows, and at the corner all of the side.
+HitsAtOneTime roofAndCorner(double lowestOfRear)
+{
+    HitsAtOneTime seen = hitsOnRear(lowestOfRear);
+    for (int k = 0; k < 8; ++k)
+    {
+        seen.each.x.push_back(20.02F + 0.03F * static_cast<float>(k));
+        seen.each.y.push_back(0.85F);
+        seen.each.height.push_back(0.4F);
+    }
+    seen.hits = projectHits(seen.each, 0.0);
+    return seen;
+}
+
+TEST(PartialFaces, LowHitsAtTheCornerAreTheSides)
+{
+    Sighting rear = rearSeen(1.8);
+    const HitsAtOneTime seen = roofAndCorner(0.95);
+    // All of them could be the rear's,
+    EXPECT_EQ(withRecessOfEnd(rear, seen).covariance, rear.measurement.covariance);
+    // but not where the side is seen as well;
+    rear.measurement.facesSeen.add(Face::Left);
+    const Measurement m = withRecessOfEnd(rear, seen);
+    EXPECT_GT(varianceAt(m, 20.0, 0.0), varianceAt(rear.measurement, 20.0, 0.0) + 0.05);
+    // of a short row at the corner nothing tells whose it is.
+    rear.end.metres = 0.5;
+    EXPECT_EQ(withRecessOfEnd(rear, seen).covariance, rear.measurement.covariance);
+}
+
+TEST(PartialFaces, TheEdgeOfWhatHidesARoofIsNoEnd)
+{
+    Sighting rear = rearSeen(1.8);
+    rear.measurement.facesSeen.add(Face::Left);
+    const Measurement m = withRecessOfEnd(rear, roofAndCorner(1.3));
+    EXPECT_FALSE(m.facesSeen.seesEnd());
+    EXPECT_TRUE(m.facesSeen.has(Face::Left));
+    EXPECT_TRUE(m.hiddenEnds.has(Face::Back));
+}
+
 TEST(PartialFaces, WithoutHeightsNothingIsKnownOfTheBumper)
 {
     const Sighting rear = rearSeen(1.8);

@@ -203,6 +203,8 @@ private:
                 else
                     track = withMiss(std::move(track), view, !discriminator_.rulesOut(track),
                                      options_.lifecycle);
+                if (track.misses == 0)
+                    track = withConfirmation(std::move(track), options_.lifecycle);
             });
     }
 
