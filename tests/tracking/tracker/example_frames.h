@@ -6,6 +6,7 @@
 #include <random>
 #include <vector>
 
+#include "vdamf/tracking/tracker/tracker.h"
 #include "vdamf/tracking/types/geometry.h"
 #include "vdamf/tracking/types/point_cloud.h"
 
@@ -80,6 +81,14 @@ inline LadarFrame exampleFrame(double time, const Eigen::Vector2d& sensor,
         }
     }
     return frame;
+}
+
+/// Upright boxes are hardly vehicles to the discriminator: options without it.
+inline TrackerOptions optionsForBoxes()
+{
+    TrackerOptions options;
+    options.discriminator.model = "none";
+    return options;
 }
 
 }  // namespace vdamf

@@ -84,7 +84,7 @@ TEST(Existence, TracksEndSoonWhereTheyWouldBeSeen)
     const RangeProfile open = profileWith(0.0, kFar);
     Track track = carAhead(0.1);
     for (int k = 1; track.status != TrackStatus::Ended && k < 30; ++k)
-        track = withMiss(track, {0.1 * k, {0.0, 0.0}, open, FieldOfView(groundAround())}, {});
+        track = withMiss(track, {0.1 * k, {0.0, 0.0}, open, FieldOfView(groundAround())}, true, {});
     EXPECT_EQ(track.status, TrackStatus::Ended);
     EXPECT_LE(track.misses, 7);
     EXPECT_GE(track.misses, 3) << "one missed frame or two are no end";
@@ -99,7 +99,8 @@ TEST(Existence, HiddenOnesCoastAsLongAsTheyMay)
     Track track = carAhead(0.1);
     int k = 0;
     for (k = 1; track.status != TrackStatus::Ended && k < 100; ++k)
-        track = withMiss(track, {0.1 * k, {0.0, 0.0}, both, FieldOfView(groundAround())}, options);
+        track = withMiss(track, {0.1 * k, {0.0, 0.0}, both, FieldOfView(groundAround())}, true,
+                         options);
     EXPECT_EQ(track.existence, 0.99);
     EXPECT_NEAR(0.1 * track.misses, options.maxCoast, 0.11);
 }
@@ -111,7 +112,8 @@ TEST(Existence, HiddenOnesEndOnceTheyMayBeALaneOff)
     {
         Track track = carAhead(sigma);
         track.state.covariance(kX, kX) = sigma * sigma;
-        return withMiss(track, {0.1, {0.0, 0.0}, wall, FieldOfView(groundAround())}, {}).status;
+        return withMiss(track, {0.1, {0.0, 0.0}, wall, FieldOfView(groundAround())}, true, {})
+            .status;
     };
     EXPECT_EQ(statusWith(2.9), TrackStatus::Coasting);
     EXPECT_EQ(statusWith(3.1), TrackStatus::Ended);
@@ -137,7 +139,7 @@ TEST(Existence, HitsMakeATrackLastLonger)
         for (int k = 0; k < hits; ++k) track = withHit(track, 0.0, {});
         EXPECT_LE(track.existence, 0.99);
         while (track.status != TrackStatus::Ended)
-            track = withMiss(track, {0.0, {0.0, 0.0}, open, FieldOfView(groundAround())}, {});
+            track = withMiss(track, {0.0, {0.0, 0.0}, open, FieldOfView(groundAround())}, true, {});
         return track.misses;
     };
     EXPECT_LT(framesAfter(2), framesAfter(10));
@@ -151,8 +153,19 @@ TEST(Existence, NewTracksAreNotWaitedFor)
     track.status = TrackStatus::Tentative;
     track.existence = 0.5;
     for (int k = 0; k < 2; ++k)
-        track = withMiss(track, {0.0, {0.0, 0.0}, wall, FieldOfView(groundAround())}, {});
+        track = withMiss(track, {0.0, {0.0, 0.0}, wall, FieldOfView(groundAround())}, true, {});
     EXPECT_EQ(track.status, TrackStatus::Ended);
+}
+
+TEST(Existence, ClutterIsNotWaitedForEither)
+{
+    const RangeProfile wall = profileWith(kPi, 9.0F);
+    Track track = carAhead(0.1);
+    for (int k = 0; k < 10 && track.status != TrackStatus::Ended; ++k)
+        track =
+            withMiss(track, {0.1 * k, {0.0, 0.0}, wall, FieldOfView(groundAround())}, false, {});
+    EXPECT_EQ(track.status, TrackStatus::Ended);
+    EXPECT_GT(track.misses, 3) << "hits may be missing for a frame or two";
 }
 
 }  // namespace

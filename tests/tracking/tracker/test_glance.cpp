@@ -131,5 +131,29 @@ TEST(Glance, SavesThreeOfFourMeasurementsOfClutterAndNoneOfVehicles)
     EXPECT_EQ(vehicle.measured, 20);
 }
 
+// What a tracker that takes all for the same reports of a post 0.6 m wide, 14 m ahead.
+OrientedBox boxOfAPost(double logOdds)
+{
+    Tracker tracker = trackerThatTakesAllFor(logOdds);
+    OrientedBox box;
+    for (int k = 0; k < 10; ++k)
+    {
+        const std::vector<ExampleBody> bodies{{{14.0, 0.0, 0.0, 0.6, 0.6}, 1.5, {0.0, 0.0}}};
+        const FrameResult result = tracker.process(
+            exampleFrame(0.1 * k, {0.0, 0.0}, bodies, 100U + static_cast<unsigned>(k)));
+        EXPECT_EQ(result.tracks.size(), 1U);
+        if (result.tracks.size() == 1) box = result.tracks.front().box;
+    }
+    return box;
+}
+
+TEST(Clutter, IsReportedAsLargeAsItsHits)
+{
+    const OrientedBox clutter = boxOfAPost(-4.0);
+    EXPECT_LT(std::max(clutter.length, clutter.width), 0.8);
+    EXPECT_LT((clutter.centre() - Eigen::Vector2d(13.7, 0.0)).norm(), 0.15);
+    EXPECT_GT(std::max(boxOfAPost(4.0).length, boxOfAPost(4.0).width), 0.85);
+}
+
 }  // namespace
 }  // namespace vdamf

@@ -35,7 +35,7 @@ struct Scene
 // Largest error of the heading in degrees, modulo `period` (rad), from a frame on.
 double worstHeading(const Scene& scene, int frames, int from, double period)
 {
-    Tracker tracker{TrackerOptions()};
+    Tracker tracker{optionsForBoxes()};
     double worst = 0.0;
     for (int k = 0; k < frames; ++k)
     {

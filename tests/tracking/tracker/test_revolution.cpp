@@ -34,7 +34,7 @@ const TrackReport* onlyConfirmedNear(const FrameResult& frame, const Eigen::Vect
 // the end of each revolution.
 TEST(Revolution, ACarAtItsSeamIsOneCarOfItsOwnSize)
 {
-    Tracker tracker{TrackerOptions()};
+    Tracker tracker{optionsForBoxes()};
     std::set<std::uint64_t> ids;
     for (int k = 0; k < 30; ++k)
     {
@@ -59,7 +59,7 @@ TEST(Revolution, ACarAtItsSeamIsOneCarOfItsOwnSize)
 // Abreast of the sensor a quarter of the revolution has passed before the car is seen.
 TEST(Revolution, BoxesStandWhereCarsAreAtTheFramesTime)
 {
-    Tracker tracker{TrackerOptions()};
+    Tracker tracker{optionsForBoxes()};
     for (int k = 0; k < 30; ++k)
     {
         const double t = kPeriod * k;
@@ -93,7 +93,7 @@ Eigen::Vector3d meanError(const Drive& drive, double period)
 {
     constexpr int kSettled = 12;
     constexpr int kFrames = 28;
-    Tracker tracker{TrackerOptions()};
+    Tracker tracker{optionsForBoxes()};
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     for (int k = 0; k < kFrames; ++k)
     {

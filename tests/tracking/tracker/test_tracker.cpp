@@ -27,7 +27,7 @@ ExampleBody car(double x, double y, double heading)
 
 TEST(Tracker, FollowsAPassingCarFromAMovingPlatform)
 {
-    Tracker tracker{TrackerOptions()};
+    Tracker tracker{optionsForBoxes()};
     std::set<std::uint64_t> ids;
     double worstPosition = 0.0;
     double speed = 0.0;
@@ -58,7 +58,7 @@ TEST(Tracker, FollowsAPassingCarFromAMovingPlatform)
 
 TEST(Tracker, ParkedCarStandsStillWhileThePlatformMoves)
 {
-    Tracker tracker{TrackerOptions()};
+    Tracker tracker{optionsForBoxes()};
     std::set<std::uint64_t> ids;
     for (int k = 0; k < 40; ++k)
     {
@@ -76,7 +76,7 @@ TEST(Tracker, ParkedCarStandsStillWhileThePlatformMoves)
 
 TEST(Tracker, KeepsACarThatPassesBehindAVan)
 {
-    Tracker tracker{TrackerOptions()};
+    Tracker tracker{optionsForBoxes()};
     const ExampleBody van{{0.0, 10.0, 0.0, 5.0, 2.0}, 2.5};
     std::set<std::uint64_t> before;
     std::set<std::uint64_t> after;
@@ -165,7 +165,7 @@ TEST(Tracker, WorksFarFromTheOrigin)
 
 TEST(Tracker, RefusesTimeThatGoesBackAndBadOptions)
 {
-    Tracker tracker{TrackerOptions()};
+    Tracker tracker{optionsForBoxes()};
     LadarFrame frame;
     frame.time = 5.0;
     EXPECT_TRUE(tracker.process(frame).tracks.empty());
@@ -181,7 +181,7 @@ TEST(Tracker, RefusesTimeThatGoesBackAndBadOptions)
 
 TEST(Tracker, NamesItsStagesInOrder)
 {
-    Tracker tracker{TrackerOptions()};
+    Tracker tracker{optionsForBoxes()};
     std::vector<std::string> stages;
     tracker.onStage([&](const Stage* s) { stages.push_back(s != nullptr ? toString(*s) : "end"); });
     tracker.process(LadarFrame{});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tracker/discriminate.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
@@ -74,6 +75,16 @@ bool Discriminator::rulesOut(const Track& track) const
     constexpr double kHardly = 0.1;  // probability
     return !options_.isOff() && track.sightings >= kSightings &&
            vehicleProbability(track) < kHardly;
+}
+
+OrientedBox Discriminator::extentOf(const Track& track) const
+{
+    if (!rulesOut(track)) return track.box();
+    constexpr double kThinnest = 0.1;  // m
+    OrientedBox extent = track.boxOfHits();
+    extent.length = std::max(extent.length, kThinnest);
+    extent.width = std::max(extent.width, kThinnest);
+    return extent;
 }
 
 TrackReport Discriminator::withProbability(TrackReport report, const Track& track) const

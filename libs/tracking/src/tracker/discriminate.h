@@ -22,6 +22,10 @@ public:
     /// Whether the track is hardly a vehicle, by several frames.
     bool rulesOut(const Track& track) const;
 
+    /// What the track covers: its box, or, of what is ruled out, the rectangle of its hits: what is
+    /// no vehicle is not as large as one either.
+    OrientedBox extentOf(const Track& track) const;
+
     /// By all frames of the track; 0.5 where nothing discriminates.
     double vehicleProbability(const Track& track) const;
 

@@ -109,12 +109,13 @@ Track withConfirmation(Track track, const LifecycleOptions& options)
     return track;
 }
 
-Track withMiss(Track track, const OpenView& view, const LifecycleOptions& options)
+Track withMiss(Track track, const OpenView& view, bool mayBeVehicle,
+               const LifecycleOptions& options)
 {
     ++track.misses;
-    // What was hardly seen yet is not worth waiting for.
-    const double inView =
-        track.status == TrackStatus::Tentative ? 1.0 : shareSeenThrough(track, view);
+    // What was hardly seen yet is not worth waiting for, and pieces of bushes are new ones anyway.
+    const bool isWaitedFor = mayBeVehicle && track.status != TrackStatus::Tentative;
+    const double inView = isWaitedFor ? shareSeenThrough(track, view) : 1.0;
     const double missed = 1.0 - options.hitProbability * inView;
     track.existence = probabilityOf(oddsOf(track.existence) * missed);
     const double variance = 0.5 * track.state.covariance.topLeftCorner<2, 2>().trace();

@@ -33,6 +33,8 @@ Track withConfirmation(Track track, const LifecycleOptions& options);
 
 /// The track after a frame without. It coasts, or ends: once it is likely not to be
 /// there, was not seen for too long, or may be so far off that nothing tells it from a new one.
-Track withMiss(Track track, const OpenView& view, const LifecycleOptions& options);
+/// `mayBeVehicle`: clutter is not waited for, hidden or not.
+Track withMiss(Track track, const OpenView& view, bool mayBeVehicle,
+               const LifecycleOptions& options);
 
 }  // namespace vdamf

@@ -236,8 +236,8 @@ Track predictedTrack(Track track, double dt, const Eigen::Vector2d& sensor,
     return track;
 }
 
-TrackReport reportOf(const Track& track, const VisibilityOptions& options,
-                     const Eigen::Vector3d& origin)
+TrackReport reportOf(const Track& track, const OrientedBox& extent,
+                     const VisibilityOptions& options, const Eigen::Vector3d& origin)
 {
     const auto inWorld = [&origin](OrientedBox box)
     {
@@ -248,7 +248,7 @@ TrackReport reportOf(const Track& track, const VisibilityOptions& options,
     TrackReport report;
     report.id = track.id;
     report.status = track.status;
-    report.box = inWorld(track.box());
+    report.box = inWorld(extent);
     report.z = track.groundZ + origin.z();
     report.height = track.height;
     report.speed = track.state.mean(kSpeed);

@@ -121,8 +121,8 @@ Track movedBy(Track track, const Eigen::Vector3d& by);
 Track predictedTrack(Track track, double dt, const Eigen::Vector2d& sensor,
                      VehicleKalmanFilter& filter, const MotionOptions& options);
 
-/// In the world, where the track's origin is at `origin` (m).
-TrackReport reportOf(const Track& track, const VisibilityOptions& options,
-                     const Eigen::Vector3d& origin);
+/// In the world, where the track's origin is at `origin` (m). `extent`: what it covers.
+TrackReport reportOf(const Track& track, const OrientedBox& extent,
+                     const VisibilityOptions& options, const Eigen::Vector3d& origin);
 
 }  // namespace vdamf

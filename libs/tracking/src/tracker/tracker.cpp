@@ -201,7 +201,8 @@ private:
                     track =
                         glancedTrack(std::move(track), frame, assignment[j], options_.lifecycle);
                 else
-                    track = withMiss(std::move(track), view, options_.lifecycle);
+                    track = withMiss(std::move(track), view, !discriminator_.rulesOut(track),
+                                     options_.lifecycle);
                 if (track.misses == 0)
                     track = withConfirmation(std::move(track), options_.lifecycle);
             });
@@ -242,7 +243,8 @@ private:
         result.tracks.reserve(tracks_.size());
         for (const Track& track : tracks_)
             result.tracks.push_back(discriminator_.withProbability(
-                reportOf(track, options_.visibility, frame.origin), track));
+                reportOf(track, discriminator_.extentOf(track), options_.visibility, frame.origin),
+                track));
         return result;
     }
 
