@@ -95,6 +95,30 @@ TEST(GrownToAVehicle, WhatHidesAPartOfAnEndHidesAWholeCar)
     EXPECT_EQ(grownToAVehicle(small, rearOf(1.2), 1.5, SizesTold(), o).mean, small.mean);
 }
 
+// The first bit of a car behind another one is no larger than a motorcycle.
+TEST(GrownAsJudged, WhatIsKnownToBeAVehicleIsNoSmallerThanACar)
+{
+    const VisibilityOptions o;
+    VehicleState small;
+    small.mean << 20.0, 0.0, 0.0, 0.0, 0.0, 0.4, 1.6;
+    small.width = 0.9;
+    Measurement bit = rearOf(0.9);
+    bit.hiddenEnds.add(Face::Left);
+    const VehicleState grown = grownAsJudged(small, bit, 1.5, SizesTold(), o);
+    EXPECT_NEAR(grown.mean(kLength), o.carLength, 0.1);
+    EXPECT_DOUBLE_EQ(grown.width, o.carWidth);
+    // Rear and right side stay.
+    EXPECT_NEAR(grown.mean(kX) - 0.5 * grown.mean(kLength), 20.0 - 0.8, 1e-9);
+    EXPECT_NEAR(grown.mean(kY) - 0.5 * grown.width, -0.45, 1e-9);
+
+    EXPECT_EQ(grownAsJudged(small, bit, 1.5, {true, true}, o).mean, small.mean);
+    VehicleState truck = small;
+    truck.width = 3.0;
+    EXPECT_GT(grownAsJudged(truck, rearOf(3.0), 3.0, {false, true}, o).mean(kLength), 7.0);
+    bit.facesSeen = FaceSet();
+    EXPECT_EQ(grownAsJudged(small, bit, 1.5, SizesTold(), o).mean, small.mean);
+}
+
 // A slice of something between two others: it may go on behind them.
 TEST(StartState, OfASliceTheLengthIsAsOpenAsAVehicles)
 {

@@ -11,14 +11,12 @@ namespace
 constexpr double kPiece = 0.9;  // m, of an end of which something hides the rest
 // Hits tell widths to a decimetre or two: what is higher than any car may be narrower.
 constexpr double kTallest = 2.5;   // m
-constexpr double kCarSide = 3.0;   // m, the shortest: longer than a motorcycle
 constexpr double kLongSide = 5.5;  // m, of vans, trucks and buses
 constexpr AssumedSize kLargeWidth{2.1, 0.3};
 
 // The end of a truck or bus alone tells little of its length. What is as wide and low is none: the
 // part of a side, or no vehicle.
-constexpr double kTruckHeight = 2.0;  // m
-constexpr double kWidestTruck = 2.8;  // m
+constexpr double kTruckHeight = 1.9;  // m
 constexpr AssumedSize kTruckLength{9.0, 2.0};
 
 // Vans are higher, longer and wider than cars, of the labelled vehicles of KITTI and Argoverse 2:
@@ -81,7 +79,7 @@ std::optional<AssumedSize> lengthBehind(double width, double height, const Visib
 
 std::optional<AssumedSize> widthBehind(double length, double height, const VisibilityOptions& o)
 {
-    if (length < kCarSide) return std::nullopt;
+    if (length < kShortestCar) return std::nullopt;
     return length < kLongSide ? carWidth(height, o) : kLargeWidth;
 }
 

@@ -65,6 +65,15 @@ VehicleState grownTo(const VehicleState& state, int axis, double fixed,
     next.covariance += size->sigma * size->sigma * change * change.transpose();
     return next;
 }
+
+// Which end of an axis stays where the other one is moved: that seen, or else the one that nothing
+// hides: 1 the front or left one, -1 the others, 0 both or none.
+double staying(const Measurement& m, int axis)
+{
+    const auto [low, high] = kFaceAt[axis];
+    if (m.facesSeen.seesAcross(axis)) return m.facesSeen.has(high) - m.facesSeen.has(low);
+    return m.hiddenEnds.has(low) - m.hiddenEnds.has(high);
+}
 }  // namespace
 
 SizesTold SizesTold::with(const Measurement& m) const
@@ -94,6 +103,19 @@ VehicleState grownToAVehicle(const VehicleState& predicted, const Measurement& m
         return grownTo(predicted, 1, m.facesSeen.has(Face::Right) ? -1.0 : 1.0,
                        widthBehind(std::min(m.box.length, predicted.mean(kLength)), height, o));
     return predicted;
+}
+
+VehicleState grownAsJudged(const VehicleState& predicted, const Measurement& m, double height,
+                           const SizesTold& told, const VisibilityOptions& o)
+{
+    if (!o.assumeVehicleSize || m.facesSeen.empty()) return predicted;
+    VehicleState next = predicted;
+    if (!told.width && predicted.width < kNarrowestCar)
+        next = grownTo(next, 1, staying(m, 1), carWidth(height, o));
+    const double width = std::clamp(next.width, kNarrowestCar, kWidestTruck);
+    if (!told.length && predicted.mean(kLength) < kShortestCar)
+        next = grownTo(next, 0, staying(m, 0), lengthBehind(width, height, o));
+    return next;
 }
 
 VehicleState withLengthAssumed(const VehicleState& state, const AssumedSize& before,

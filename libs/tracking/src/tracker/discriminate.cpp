@@ -60,13 +60,13 @@ Judgement Discriminator::judged(const Track& track, const SegmentedFrame& frame,
     }
     // What was not looked at is taken to say the same again.
     next.evidence = withFrame(next.evidence, next.logOdds, model().track, model().frame.prior);
+    next.probability = toProbability(trackLogOdds(next.evidence, model().track));
     return next;
 }
 
 double Discriminator::vehicleProbability(const Track& track) const
 {
-    if (options_.isOff()) return 0.5;
-    return toProbability(trackLogOdds(track.judgement.evidence, model().track));
+    return track.judgement.probability;
 }
 
 bool Discriminator::rulesOut(const Track& track) const

@@ -53,6 +53,8 @@ bool isWithin(const OrientedBox& hits, const OrientedBox& box, double margin)
     return true;
 }
 
+constexpr double kSurelyAVehicle = 0.8;  // probability
+
 bool standsWithKnownLength(const Track& track)
 {
     return track.hypotheses->standingProbability >= 0.5 && track.told.length;
@@ -168,9 +170,12 @@ Track sightedTrack(Track track, const Sighting& sighting, double neighbours,
     if (isLastGlimpse(track, sighting, options.association.surfaceSigma))
         return withHit(std::move(track), sighting.time, options.lifecycle);
     MotionHypotheses& hypotheses = *track.hypotheses;
-    hypotheses.forEach(
-        [&](VehicleState& state)
-        { state = grownToAVehicle(state, m, track.height, track.told, visibility); });
+    const double height = std::max(track.height, sighting.height);
+    hypotheses.forEach([&](VehicleState& state)
+                       { state = grownToAVehicle(state, m, height, track.told, visibility); });
+    if (track.judgement.probability > kSurelyAVehicle)
+        hypotheses.forEach([&](VehicleState& state)
+                           { state = grownAsJudged(state, m, height, track.told, visibility); });
     const VehicleState then =
         stateAt(hypotheses.combined(options.motion), sighting.lag, options.motion);
     FaceErrors errors = faceErrors(m, then, visibility);
@@ -222,8 +227,8 @@ Track predictedTrack(Track track, double dt, const Eigen::Vector2d& sensor,
 {
     track.stoodProbability = track.hypotheses->standingProbability;
     const View before = viewOf(track.hypotheses->driving.front().box(), track.seenFrom);
-    const MotionHypotheses later =
-        atLastingRest(predicted(*track.hypotheses, dt, filter, options), track.stoodProbability, dt);
+    const MotionHypotheses later = atLastingRest(predicted(*track.hypotheses, dt, filter, options),
+                                                 track.stoodProbability, dt);
     const View now = viewOf(later.driving.front().box(), sensor);
     *track.hypotheses = drifted(later, track.lastingError, changeOfView(before, now));
     track.seenFrom = sensor;

@@ -33,6 +33,7 @@ struct Judgement
 {
     VehicleEvidence evidence;
     double logOdds = 0.0;         ///< by the last frame that it looked at
+    double probability = 0.5;     ///< of a vehicle, by all of them
     std::size_t hits = 0;         ///< in that frame
     std::vector<float> features;  ///< of the current frame, where options ask for them
 };

@@ -22,6 +22,8 @@ struct AssumedSizes
 };
 
 inline constexpr double kNarrowestCar = 1.3;  ///< m
+inline constexpr double kWidestTruck = 2.8;   ///< m
+inline constexpr double kShortestCar = 3.0;   ///< m: longer than a motorcycle
 
 /// Widest that an end of a car or van of that height seems to be, m.
 double widestCar(double height);

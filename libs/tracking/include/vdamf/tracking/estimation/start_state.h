@@ -41,6 +41,11 @@ VehicleState grownToAVehicle(const VehicleState& predicted, const Measurement& m
                              double height, const SizesTold& told,
                              const VisibilityOptions& options);
 
+/// The predicted state of what is known by other means to be a car or larger: sizes that were never
+/// told and are smaller than any car's become a car's, or a truck's. What is seen of it stays.
+VehicleState grownAsJudged(const VehicleState& predicted, const Measurement& measurement,
+                           double height, const SizesTold& told, const VisibilityOptions& options);
+
 /// The state with another length assumed than before, as more became known of the end seen (1 the
 /// front, -1 the rear), which stays: as far as the length is not yet known better than that.
 VehicleState withLengthAssumed(const VehicleState& state, const AssumedSize& before,
