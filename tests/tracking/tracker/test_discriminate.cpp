@@ -75,7 +75,9 @@ TEST(Discriminate, LooksAtFewerFramesOnceItKnows)
     EXPECT_EQ(looksIn(always(0.0), 5), 5);
     EXPECT_EQ(looksIn(always(0.0), 45), 5 + 20);
     EXPECT_LE(looksIn(always(2.0), 45), 2 + 11);
-    EXPECT_GE(looksIn(always(2.0), 45), 1 + 10);
+    EXPECT_GE(looksIn(always(2.0), 45), 1 + 5);
+    EXPECT_LE(looksIn(always(6.0), 45), 2 + 6);
+    EXPECT_GE(looksIn(always(6.0), 45), 1 + 5);
     EXPECT_EQ(looksIn(always(2.0), 45), looksIn(always(-2.0), 45)) << "sure that it is none";
 }
 

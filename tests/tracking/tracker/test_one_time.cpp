@@ -38,22 +38,24 @@ TEST(OneTime, EachHitIsBroughtToTheMeanTimeWithItsHeight)
 {
     const HitsAtOneTime seen = hitsAtOneTime(rearInTwoShots(true), {0}, tenMetresPerSecond(), 0.0);
     EXPECT_NEAR(seen.lag, 0.01, 1e-6);
-    ASSERT_EQ(seen.each.size(), 6U);
-    for (std::size_t i = 0; i < seen.each.size(); ++i)
+    ASSERT_EQ(seen.each->size(), 6U);
+    for (std::size_t i = 0; i < seen.each->size(); ++i)
     {
-        EXPECT_NEAR(seen.each.x[i], 20.1, 1e-5) << i;
-        EXPECT_NEAR(seen.hits.x[i], 20.1, 1e-5) << i;
-        EXPECT_NEAR(seen.each.height[i], i % 2 == 0 ? 0.5 : 0.9, 1e-6) << i;
+        EXPECT_NEAR(seen.each->x[i], 20.1, 1e-5) << i;
+        EXPECT_NEAR(seen.hits->x[i], 20.1, 1e-5) << i;
+        EXPECT_NEAR(seen.each->height[i], i % 2 == 0 ? 0.5 : 0.9, 1e-6) << i;
     }
 }
 
 TEST(OneTime, HitsWithoutTimesStayWhereTheyAre)
 {
-    const HitsAtOneTime seen = hitsAtOneTime(rearInTwoShots(false), {0}, tenMetresPerSecond(), 0.0);
+    const SegmentedFrame frame = rearInTwoShots(false);
+    const HitsAtOneTime seen = hitsAtOneTime(frame, {0}, tenMetresPerSecond(), 0.0);
     EXPECT_EQ(seen.lag, 0.0);
-    ASSERT_EQ(seen.each.size(), 6U);
-    for (std::size_t i = 0; i < seen.each.size(); ++i)
-        EXPECT_NEAR(seen.each.x[i], i % 2 == 0 ? 20.0 : 20.2, 1e-5) << i;
+    ASSERT_EQ(seen.each->size(), 6U);
+    for (std::size_t i = 0; i < seen.each->size(); ++i)
+        EXPECT_NEAR(seen.each->x[i], i % 2 == 0 ? 20.0 : 20.2, 1e-5) << i;
+    EXPECT_EQ(&*seen.hits, &frame.hits.front()) << "copied for nothing";
 }
 }  // namespace
 }  // namespace vdamf

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 namespace vdamf
 {
@@ -33,15 +34,17 @@ double varianceAt(const Measurement& m, double x, double y)
 
 HitsAtOneTime hitsOnRear(double lowest)
 {
-    HitsAtOneTime seen;
+    Cluster hits;
     for (int row = 0; row < 3; ++row)
         for (int k = 0; k < 10; ++k)
         {
-            seen.each.x.push_back(20.0F);
-            seen.each.y.push_back(-0.9F + 0.2F * static_cast<float>(k));
-            seen.each.height.push_back(static_cast<float>(lowest + 0.15 * row));
+            hits.x.push_back(20.0F);
+            hits.y.push_back(-0.9F + 0.2F * static_cast<float>(k));
+            hits.height.push_back(static_cast<float>(lowest + 0.15 * row));
         }
-    seen.hits = projectHits(seen.each, 0.0);
+    HitsAtOneTime seen;
+    seen.hits = projectHits(hits, 0.0);
+    seen.each = std::move(hits);
     return seen;
 }
 
@@ -140,7 +143,9 @@ TEST(PartialFaces, WithoutHeightsNothingIsKnownOfTheBumper)
 {
     const Sighting rear = rearSeen(1.8);
     HitsAtOneTime level = hitsOnRear(1.05);
-    level.hits.heights = 0;
+    Hits hits = *level.hits;
+    hits.heights = 0;
+    level.hits = hits;
     EXPECT_EQ(withRecessOfEnd(rear, level).covariance, rear.measurement.covariance);
 }
 

@@ -20,8 +20,7 @@ struct Extent
     // Those of hits where a target of that velocity has them at time zero.
     void add(const Hits& hits, const PredictedTarget& target)
     {
-        const double c = std::cos(target.box.heading);
-        const double s = std::sin(target.box.heading);
+        const auto [c, s] = directionOf(target.box.heading);
         const Eigen::Vector2d moved = hits.time * target.velocity;
         for (std::size_t i = 0; i < hits.size(); ++i)
         {

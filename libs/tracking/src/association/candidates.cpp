@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "types/hit_bounds.h"
 #include "types/wide_lanes.h"
 
 namespace vdamf
@@ -27,8 +28,9 @@ std::vector<PlaneBounds> reachOf(const std::vector<PredictedTarget>& targets, do
     all.reserve(targets.size());
     for (const PredictedTarget& t : targets)
     {
-        const double c = std::abs(std::cos(t.box.heading));
-        const double s = std::abs(std::sin(t.box.heading));
+        const Direction forward = directionOf(t.box.heading);
+        const double c = std::abs(forward.cos);
+        const double s = std::abs(forward.sin);
         const Eigen::Vector2d half(0.5 * (c * t.box.length + s * t.box.width),
                                    0.5 * (s * t.box.length + c * t.box.width));
         const double margin = gate * std::hypot(options.surfaceSigma, t.positionSigma.maxCoeff()) +
@@ -41,14 +43,8 @@ std::vector<PlaneBounds> reachOf(const std::vector<PredictedTarget>& targets, do
 
 PlaneBounds boundsOf(const Hits& hits)
 {
-    PlaneBounds bounds{{hits.x.front(), hits.y.front()}, {hits.x.front(), hits.y.front()}};
-    for (std::size_t i = 1; i < hits.size(); ++i)
-    {
-        const Eigen::Vector2d p(hits.x[i], hits.y[i]);
-        bounds.min = bounds.min.cwiseMin(p);
-        bounds.max = bounds.max.cwiseMax(p);
-    }
-    return bounds;
+    const HitBounds b = boundsAlong(Direction(), hits);
+    return {{b.minX, b.minY}, {b.maxX, b.maxY}};
 }
 }  // namespace
 
@@ -56,8 +52,7 @@ TargetSurface::TargetSurface(const PredictedTarget& target, const AssociationOpt
     : centre_(target.box.centre()),
       velocity_(target.velocity),
       half_(0.5 * target.box.length, 0.5 * target.box.width),
-      c_(std::cos(target.box.heading)),
-      s_(std::sin(target.box.heading)),
+      forward_(directionOf(target.box.heading)),
       weight_((target.positionSigma.array().square() + options.surfaceSigma * options.surfaceSigma)
                   .inverse()),
       // Vague targets pay for their reach, so that a precise one wins a cluster both could explain.

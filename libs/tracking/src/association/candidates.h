@@ -28,8 +28,10 @@ public:
     {
         const double dx = x - centre_.x();
         const double dy = y - centre_.y();
-        const double outX = std::max(0.0, std::abs(c_ * dx + s_ * dy) - half_.x());
-        const double outY = std::max(0.0, std::abs(c_ * dy - s_ * dx) - half_.y());
+        const double outX =
+            std::max(0.0, std::abs(forward_.cos * dx + forward_.sin * dy) - half_.x());
+        const double outY =
+            std::max(0.0, std::abs(forward_.cos * dy - forward_.sin * dx) - half_.y());
         return outX * outX * weight_.x() + outY * outY * weight_.y();
     }
 
@@ -50,8 +52,8 @@ private:
         load(y, py, count);
         x -= centre_.x();
         y -= centre_.y();
-        const Doubles along = c_ * x + s_ * y;
-        const Doubles across = c_ * y - s_ * x;
+        const Doubles along = forward_.cos * x + forward_.sin * y;
+        const Doubles across = forward_.cos * y - forward_.sin * x;
         const Doubles outX = (along < 0.0 ? -along : along) - half_.x();
         const Doubles outY = (across < 0.0 ? -across : across) - half_.y();
         const Doubles farX = outX > 0.0 ? outX : Doubles{};
@@ -62,7 +64,7 @@ private:
     Eigen::Vector2d centre_;
     Eigen::Vector2d velocity_;
     Eigen::Vector2d half_;
-    double c_, s_;
+    Direction forward_;
     Eigen::Vector2d weight_;  // inverse variances along and across, 1/m^2
     double worth_;            // of a hit in the box
 };

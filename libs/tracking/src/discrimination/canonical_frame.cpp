@@ -20,8 +20,9 @@ CanonicalHits toCanonicalFrame(const ObjectView& view, std::size_t maxHits)
     const double halfWidth = 0.5 * view.box.width;
     hits.sensor = {halfLength - alongSign * sensor.x(), halfWidth - acrossSign * sensor.y()};
 
-    const auto c = static_cast<float>(std::cos(view.box.heading));
-    const auto s = static_cast<float>(std::sin(view.box.heading));
+    const Direction forward = directionOf(view.box.heading);
+    const auto c = static_cast<float>(forward.cos);
+    const auto s = static_cast<float>(forward.sin);
     const auto along = static_cast<float>(alongSign);
     const auto across = static_cast<float>(acrossSign);
     const std::size_t most = hits.count / step + view.clusters.size();

@@ -105,9 +105,10 @@ HeadingBelief HeadingBelief::after(const HeadingCues& cues) const
         next.course_[0] = either - logOfSum(0.0, -after);
         next.course_[2] = either - logOfSum(0.0, after);
     }
+    const Direction course = directionOf(cues.course ? cues.course->direction : 0.0);
     for (std::size_t k = 0; cues.course && k < 4; ++k)
     {
-        const double along = std::cos(cues.course->direction - 0.5 * kPi * static_cast<double>(k));
+        const double along = (k < 2 ? 1.0 : -1.0) * (k % 2 == 0 ? course.cos : course.sin);
         const bool mayReverse =
             cues.course->speed < kReverseSpeed && course_[k] - course_[(k + 2) % 4] > kKnown;
         const bool fits = along > kSideways || (along < -kSideways && mayReverse);

@@ -21,8 +21,7 @@ struct Displacement
 Displacement displacement(double s, double kappa, double d)
 {
     const double eta = kappa * s;
-    const double c = std::cos(eta);
-    const double z = std::sin(eta);
+    const auto [c, z] = directionOf(eta);
     const double eta2 = eta * eta;
     if (std::abs(eta) < kSmallTurn)
     {
@@ -87,8 +86,7 @@ StateMatrix transitionJacobian(const StateVector& x, double dt, const MotionOpti
     const double d = x(kAxis);
     const double s = x(kSpeed) * dt;
     const double eta = kappa * s;
-    const double cosEta = std::cos(eta);
-    const double sinEta = std::sin(eta);
+    const auto [cosEta, sinEta] = directionOf(eta);
     const Displacement move = displacement(s, kappa, d);
     const Eigen::Matrix2d r = rotation(x(kHeading));
     StateMatrix f = StateMatrix::Identity();

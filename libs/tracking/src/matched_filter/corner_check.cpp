@@ -58,8 +58,7 @@ std::optional<Face> misplacedFace(const Hits& hits, const OrientedBox& box, Face
     if (!seen.seesEnd() || !seen.seesSide()) return std::nullopt;
     const Face end = seen.has(Face::Front) ? Face::Front : Face::Back;
     const Face side = seen.has(Face::Left) ? Face::Left : Face::Right;
-    const double c = std::cos(box.heading);
-    const double s = std::sin(box.heading);
+    const auto [c, s] = directionOf(box.heading);
     const double signX = end == Face::Front ? 1.0 : -1.0;
     const double signY = side == Face::Left ? 1.0 : -1.0;
     Row onEnd;

@@ -110,30 +110,32 @@ private:
     std::uint16_t last_ = 0;
 };
 
-// Hits about an origin, with room for the bins that they lie in at a heading.
+// Some of the hits about an origin, with room for the bins that they lie in at a heading.
 class TurnedHits
 {
 public:
     TurnedHits(const Hits& hits, const Eigen::Vector2d& origin)
-        : x_(hits.size()),
-          y_(hits.size()),
-          weight_(hits.weight.begin(), hits.weight.end()),
-          binX_(hits.size()),
-          binY_(hits.size())
     {
-        for (std::size_t i = 0; i < hits.size(); ++i)
+        // So many show where rows of them are as well as all.
+        constexpr std::size_t kEnough = 256;
+        const std::size_t step = (hits.size() + kEnough - 1) / kEnough;
+        for (std::size_t i = 0; i < hits.size(); i += step)
         {
-            x_[i] = static_cast<float>(hits.x[i] - origin.x());
-            y_[i] = static_cast<float>(hits.y[i] - origin.y());
+            x_.push_back(static_cast<float>(hits.x[i] - origin.x()));
+            y_.push_back(static_cast<float>(hits.y[i] - origin.y()));
+            weight_.push_back(static_cast<float>(hits.weight[i]));
         }
+        binX_.resize(x_.size());
+        binY_.resize(x_.size());
     }
 
     void turnTo(double heading)
     {
+        const Direction forward = directionOf(heading);
         inWideLanes([
-            =, size = x_.size(), c = static_cast<float>(std::cos(heading)),
-            s = static_cast<float>(std::sin(heading)), px = x_.data(), py = y_.data(),
-            toX = binX_.data(), toY = binY_.data()
+            =, size = x_.size(), c = static_cast<float>(forward.cos),
+            s = static_cast<float>(forward.sin), px = x_.data(), py = y_.data(), toX = binX_.data(),
+            toY = binY_.data()
         ]() __attribute__((always_inline)) {
             constexpr auto kScale = static_cast<float>(1.0 / kBin);
             constexpr auto kOffset = static_cast<float>(kMiddle / kBin);
@@ -223,8 +225,7 @@ double shareOnNearFaces(const Hits& hits, const OrientedBox& box, const Eigen::V
     const Eigen::Vector2d view = toBoxFrame(box, sensor);
     const double signX = view.x() > 0.0 ? 1.0 : -1.0;
     const double signY = view.y() > 0.0 ? 1.0 : -1.0;
-    const double c = std::cos(box.heading);
-    const double s = std::sin(box.heading);
+    const auto [c, s] = directionOf(box.heading);
     const double perWidth = 1.0 / (32.0 * scale * scale);
     // What is not beside a face towards the sensor is far from it.
     constexpr double kFar = 1e30;

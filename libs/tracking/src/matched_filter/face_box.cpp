@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <utility>
 #include <vector>
 
 #include "types/box_changes.h"
+#include "types/lanes.h"
 #include "types/wide_lanes.h"
 
 namespace vdamf
@@ -23,10 +25,11 @@ struct FacePlace
     bool onRow = false;  // at the end of a row of hits
 };
 
-struct RowHit
+// Of cells of hits on a face.
+struct Row
 {
-    double along = 0.0;  // outwards
-    double weight = 0.0;
+    std::vector<double> along;  // outwards, m
+    double hits = 0.0;
 };
 
 // Hits on a face lie at most so far behind it (round corners) and before it, m.
@@ -38,29 +41,28 @@ constexpr double kLeastGap = 0.25;
 constexpr double kLargestGap = 1.0;
 // The end of a row of hits, of which the filter said `fitted`: half a gap behind the last of them;
 // nothing for a row too short.
-std::optional<FacePlace> rowEnd(std::vector<RowHit> row, double fitted, double sign, double shape,
+std::optional<FacePlace> rowEnd(std::vector<double> row, double fitted, double sign, double shape,
                                 const FilterParameters& parameters)
 {
     constexpr std::size_t kForGap = 4;
     if (row.size() < kForGap) return std::nullopt;
     // The row goes on at least to here: of what lies before, the last ones only need their order.
     const double least = fitted - parameters.lines.fitExcess;
-    const auto end = std::partition(row.begin(), row.end(),
-                                    [&](const RowHit& hit) { return hit.along < least; });
-    const auto byPlace = [](const RowHit& a, const RowHit& b) { return a.along < b.along; };
+    const auto end =
+        std::partition(row.begin(), row.end(), [&](double along) { return along < least; });
     const auto before = static_cast<std::size_t>(end - row.begin());
-    if (before > kForGap) std::nth_element(row.begin(), end - kForGap, end, byPlace);
-    std::sort(before > kForGap ? end - kForGap : row.begin(), end, byPlace);
-    std::sort(end, row.end(), byPlace);
+    if (before > kForGap) std::nth_element(row.begin(), end - kForGap, end);
+    std::sort(before > kForGap ? end - kForGap : row.begin(), end);
+    std::sort(end, row.end());
     const auto gapBefore = [&](std::size_t last)
-    { return (row[last].along - row[last + 1 - kForGap].along) / (kForGap - 1.0); };
+    { return (row[last] - row[last + 1 - kForGap]) / (kForGap - 1.0); };
     // The row ends where a gap is wide for one as dense as it is, but not well inside of what the
     // filter found to be the vehicle.
     std::size_t count = kForGap;
     const auto goesOn = [&](std::size_t next)
     {
-        const double gap = row[next].along - row[next - 1].along;
-        return row[next].along < least ||
+        const double gap = row[next] - row[next - 1];
+        return row[next] < least ||
                gap < std::clamp(kWideGap * gapBefore(next - 1), kLeastGap, kLargestGap);
     };
     while (count < row.size() && goesOn(count)) ++count;
@@ -69,7 +71,7 @@ std::optional<FacePlace> rowEnd(std::vector<RowHit> row, double fitted, double s
     const double roundness = parameters.hull.roundEnd * shape;
     const double rough = parameters.errors.endRoughness;
     FacePlace place;
-    place.at = sign * (row[count - 1].along + 0.5 * gap + roundness);
+    place.at = sign * (row[count - 1] + 0.5 * gap + roundness);
     place.variance = gap * gap / 12.0 + rough * rough + roundness * roundness / 4.0;
     place.onRow = true;
     return place;
@@ -93,10 +95,10 @@ public:
         const Eigen::Vector2d view = toBoxFrame(turned_, sensor);
         nearSign_ = {view.x() > 0.0 ? 1.0 : -1.0, view.y() > 0.0 ? 1.0 : -1.0};
         for (auto& places : inBox_) places.resize(hits.size());
+        const Direction forward = directionOf(turned_.heading);
         inWideLanes([
-            c = std::cos(turned_.heading), s = std::sin(turned_.heading), x0 = turned_.x,
-            y0 = turned_.y, px = hits.x.data(), py = hits.y.data(), size = hits.size(),
-            toX = inBox_[0].data(), toY = inBox_[1].data()
+            c = forward.cos, s = forward.sin, x0 = turned_.x, y0 = turned_.y, px = hits.x.data(),
+            py = hits.y.data(), size = hits.size(), toX = inBox_[0].data(), toY = inBox_[1].data()
         ]() __attribute__((always_inline)) {
             VDAMF_INDEPENDENT_LANES
             for (std::size_t i = 0; i < size; ++i)
@@ -151,10 +153,10 @@ private:
         else if (seen_[1 - axis])
         {
             const double shape = std::max(line(0).shape, line(1).shape);
-            std::vector<RowHit> row = rowAlong(axis, sign);
-            const double reach = sign == nearSign_[axis] ? 0.0 : farReach(axis, row);
+            Row row = rowAlong(axis, sign);
+            const double reach = sign == nearSign_[axis] ? 0.0 : farReach(axis, row.hits);
             if (const auto end =
-                    rowEnd(std::move(row), half_[axis], sign, shape, options_.parameters))
+                    rowEnd(std::move(row.along), half_[axis], sign, shape, options_.parameters))
             {
                 place = *end;
                 place.at += sign * reach;
@@ -165,34 +167,50 @@ private:
     }
 
     // How far a body goes on behind the last hit of a row: by simulated and labelled vehicles.
-    double farReach(std::size_t axis, const std::vector<RowHit>& row) const
+    double farReach(std::size_t axis, double hits) const
     {
         const HullParameters& hull = options_.parameters.hull;
         const double few = options_.parameters.lines.fewInRow;
         const double depths = axis == 0 ? hull.farEnd : hull.farSide;
-        double count = 0.0;
-        for (const RowHit& hit : row) count += hit.weight;
-        return depths * options_.bodyDepth * few / (few + count);
+        return depths * options_.bodyDepth * few / (few + hits);
     }
 
     // Hits on the near face that runs along `axis`, outwards by `sign`.
-    std::vector<RowHit> rowAlong(std::size_t axis, double sign) const
+    Row rowAlong(std::size_t axis, double sign) const
     {
-        const double face = nearAt(1 - axis);
-        const double nearSign = nearSign_[1 - axis];
-        const double* const across = inBox_[1 - axis].data();
-        const double* const outwards = inBox_[axis].data();
-        std::vector<RowHit> row(hits_.size());
+        Row row;
+        row.along.resize(hits_.size());
+        inWideLanes([
+            sign, face = nearAt(1 - axis), nearSign = nearSign_[1 - axis], size = hits_.size(),
+            across = inBox_[1 - axis].data(), outwards = inBox_[axis].data(),
+            weights = hits_.weight.data(), to = row.along.data(), hits = &row.hits
+        ]() __attribute__((always_inline)) {
+            Doubles sum{};
+            const auto step = [&](std::size_t first, std::size_t count)
+                __attribute__((always_inline))
+            {
+                Doubles side, along, weight;
+                load(side, across + first, count);
+                load(along, outwards + first, count);
+                load(weight, weights + first, count);
+                const Doubles depth = nearSign * (face - side);
+                along = sign * along;
+                const auto isIn = (depth > -kInFront) & (depth < kBehind) & (along > 0.0);
+                sum += isIn ? weight : Doubles{};
+                along = isIn ? along : Doubles{};
+                std::memcpy(to + first, &along, count * sizeof(double));
+            };
+            inGroupsOf<kLanes<Doubles>>(size, step);
+            *hits = sumOf(sum);
+        });
         std::size_t taken = 0;
-        for (std::size_t i = 0; i < row.size(); ++i)
+        for (const double along : row.along)
         {
-            const double depth = nearSign * (face - across[i]);
-            const double along = sign * outwards[i];
             // Written always, counted when taken: whether it is, is hard to foretell.
-            row[taken] = {along, hits_.weight[i]};
-            taken += ((depth > -kInFront) & (depth < kBehind) & (along > 0.0)) ? 1 : 0;
+            row.along[taken] = along;
+            taken += along > 0.0 ? 1 : 0;
         }
-        row.resize(taken);
+        row.along.resize(taken);
         return row;
     }
 

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "vdamf/tracking/types/direction.h"
+
 namespace vdamf
 {
 namespace
@@ -18,8 +20,7 @@ std::array<RegionEdge, 5> axisEdges(double margin, double strip, bool visiblePos
 
 FilterRegions::FilterRegions(const FilterShape& shape, double beta)
 {
-    const double cosBeta = std::cos(beta);
-    const double sinBeta = std::sin(beta);
+    const auto [cosBeta, sinBeta] = directionOf(beta);
     const bool front = cosBeta > 0.0;  // the sensor lies ahead of the target
     const bool left = sinBeta < 0.0;   // and to its left: the bearing in the box frame is -beta
     edgesX = axisEdges(shape.endMargin, shape.endStrip, front);

@@ -13,13 +13,13 @@ namespace vdamf
 struct HitCell
 {
     float x, y;  // the first hit
-    double n = 0.0, sx = 0.0, sy = 0.0, sxx = 0.0, sxy = 0.0, syy = 0.0;
+    float n = 0.0F, sx = 0.0F, sy = 0.0F, sxx = 0.0F, sxy = 0.0F, syy = 0.0F;
 
     void add(float px, float py)
     {
-        const double dx = static_cast<double>(px) - x;
-        const double dy = static_cast<double>(py) - y;
-        n += 1.0;
+        const float dx = px - x;
+        const float dy = py - y;
+        n += 1.0F;
         sx += dx;
         sy += dy;
         sxx += dx * dx;

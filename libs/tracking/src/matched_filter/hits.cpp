@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vdamf/tracking/matched_filter/hits.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
@@ -44,15 +45,18 @@ Hits projectHits(const Cluster& cluster, double cellSize)
     for (std::size_t i = 0; i < cells.size(); ++i)
     {
         const HitCell& cell = cells[i];
-        const double x = cell.sx / cell.n;
-        const double y = cell.sy / cell.n;
+        const double n = cell.n;
+        const double share = 1.0 / n;
+        const double x = share * cell.sx;
+        const double y = share * cell.sy;
         hits.x[i] = cell.x + x;
         hits.y[i] = cell.y + y;
-        hits.weight[i] = cell.n;
-        hits.totalWeight += cell.n;
-        hits.varianceX[i] = cell.sxx / cell.n - x * x;
-        hits.covariance[i] = cell.sxy / cell.n - x * y;
-        hits.varianceY[i] = cell.syy / cell.n - y * y;
+        hits.weight[i] = n;
+        hits.totalWeight += n;
+        // Of hits in one place rounding may leave less than nothing.
+        hits.varianceX[i] = std::max(0.0, share * cell.sxx - x * x);
+        hits.covariance[i] = share * cell.sxy - x * y;
+        hits.varianceY[i] = std::max(0.0, share * cell.syy - y * y);
     }
     return hits;
 }

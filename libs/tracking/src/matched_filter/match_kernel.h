@@ -17,9 +17,9 @@ struct KernelHits
     struct Block
     {
         static constexpr int kHits = 16;
-        alignas(64) std::array<float, kHits> x{};  ///< m
-        alignas(64) std::array<float, kHits> y{};  ///< m
-        alignas(64) std::array<float, kHits> weight{};
+        std::array<float, kHits> x{};  ///< m
+        std::array<float, kHits> y{};  ///< m
+        std::array<float, kHits> weight{};
     };
     Eigen::Vector2d origin = Eigen::Vector2d::Zero();
     std::vector<Block> blocks;

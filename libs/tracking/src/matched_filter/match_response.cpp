@@ -23,13 +23,20 @@ double sum(const Weights& c, const Weights& x, const Weights& y)
 struct BoxAxes
 {
     explicit BoxAxes(const OrientedBox& box)
-        : x0(box.x), y0(box.y), c(std::cos(box.heading)), s(std::sin(box.heading))
+        : x0(box.x), y0(box.y), forward(directionOf(box.heading))
     {
     }
-    double x(double px, double py) const { return c * (px - x0) + s * (py - y0); }
-    double y(double px, double py) const { return -s * (px - x0) + c * (py - y0); }
+    double x(double px, double py) const
+    {
+        return forward.cos * (px - x0) + forward.sin * (py - y0);
+    }
+    double y(double px, double py) const
+    {
+        return -forward.sin * (px - x0) + forward.cos * (py - y0);
+    }
 
-    double x0, y0, c, s;
+    double x0, y0;
+    Direction forward;
 };
 
 // f of one hit (the un-normalised response F is the sum over hits) and its derivatives.

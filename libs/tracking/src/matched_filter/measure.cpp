@@ -136,9 +136,10 @@ StripHits hitsInStrips(const Hits& hits, const OrientedBox& box, double signX, d
                        const FilterShape& shape)
 {
     StripHits strips;
+    const Direction forward = directionOf(box.heading);
     inWideLanes([
-        =, c = std::cos(box.heading), s = std::sin(box.heading), size = hits.size(),
-        px = hits.x.data(), py = hits.y.data(), weights = hits.weight.data(), result = &strips
+        =, c = forward.cos, s = forward.sin, size = hits.size(), px = hits.x.data(),
+        py = hits.y.data(), weights = hits.weight.data(), result = &strips
     ]() __attribute__((always_inline)) {
         Doubles ends{};
         Doubles sides{};
@@ -197,17 +198,18 @@ FaceSet facesSeen(const Hits& hits, const OrientedBox& box, const Eigen::Vector2
     const Eigen::Vector2d view = toBoxFrame(box, sensor);
     const double l = 0.5 * box.length;
     const double w = 0.5 * box.width;
-    // Angle at which the ray meets the face, over its middle.
     const bool front = view.x() > 0.0;
     const bool left = view.y() > 0.0;
-    const double endAngle = std::atan2(std::abs(view.x()) - l, std::abs(view.y()));
-    const double sideAngle = std::atan2(std::abs(view.y()) - w, std::abs(view.x()));
+    // Whether a ray meets a face, over its middle, at more than the least angle.
+    const Direction least = directionOf(options.minFaceAngle);
+    const auto shows = [&least](double before, double beside)
+    { return before * least.cos > beside * least.sin; };
+    const bool showsEnd = shows(std::abs(view.x()) - l, std::abs(view.y()));
+    const bool showsSide = shows(std::abs(view.y()) - w, std::abs(view.x()));
     const StripHits strips = hitsInStrips(hits, box, front ? 1.0 : -1.0, left ? 1.0 : -1.0, shape);
     FaceSet seen;
-    if (endAngle > options.minFaceAngle && strips.end >= options.minFaceHits)
-        seen.add(front ? Face::Front : Face::Back);
-    if (sideAngle > options.minFaceAngle && strips.side >= options.minFaceHits)
-        seen.add(left ? Face::Left : Face::Right);
+    if (showsEnd && strips.end >= options.minFaceHits) seen.add(front ? Face::Front : Face::Back);
+    if (showsSide && strips.side >= options.minFaceHits) seen.add(left ? Face::Left : Face::Right);
     return seen;
 }
 

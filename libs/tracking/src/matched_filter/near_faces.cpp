@@ -22,9 +22,10 @@ struct Located
     void locate(const Hits& hits, std::size_t begin, std::size_t size, const OrientedBox& box,
                 FaceSet seen, const NearFaceOptions& o)
     {
+        const Direction forward = directionOf(box.heading);
         inWideLanes([
-            =, px = hits.x.data() + begin, py = hits.y.data() + begin, c = std::cos(box.heading),
-            s = std::sin(box.heading), signX = seen.has(Face::Front) ? 1.0 : -1.0,
+            =, px = hits.x.data() + begin, py = hits.y.data() + begin, c = forward.cos,
+            s = forward.sin, signX = seen.has(Face::Front) ? 1.0 : -1.0,
             signY = seen.has(Face::Left) ? 1.0 : -1.0, toX = x.data(), toY = y.data(),
             toFace = face.data(),
             // A face that is not seen has no hits and takes none from the other one.
@@ -60,8 +61,7 @@ private:
 NearFaces nearFaces(const Hits& hits, const OrientedBox& box, FaceSet seen,
                     const Eigen::Vector2d& sensor, const NearFaceOptions& o)
 {
-    const double c = std::cos(box.heading);
-    const double s = std::sin(box.heading);
+    const auto [c, s] = directionOf(box.heading);
     const double signX = seen.has(Face::Front) ? 1.0 : -1.0;
     const double signY = seen.has(Face::Left) ? 1.0 : -1.0;
     const Eigen::Vector2d view = toBoxFrame(box, sensor).normalized();

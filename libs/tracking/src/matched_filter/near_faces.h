@@ -18,10 +18,10 @@ struct FaceHits
     struct Block
     {
         static constexpr int kHits = 16;
-        alignas(64) std::array<float, kHits> outwards{};  ///< from the middle of the box, m
-        alignas(64) std::array<float, kHits> along{};     ///< the face, from there, m
-        alignas(64) std::array<float, kHits> weight{};
-        alignas(64) std::array<float, kHits> spread{};  ///< of a centre's hits, outwards, m^2
+        std::array<float, kHits> outwards{};  ///< from the middle of the box, m
+        std::array<float, kHits> along{};     ///< the face, from there, m
+        std::array<float, kHits> weight{};
+        std::array<float, kHits> spread{};  ///< of a centre's hits, outwards, m^2
     };
     std::vector<Block> blocks;
     int inLast = Block::kHits;  ///< used of the last block

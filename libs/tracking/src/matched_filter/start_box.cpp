@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "types/hit_bounds.h"
 #include "types/lanes.h"
 #include "types/wide_lanes.h"
 #include "vdamf/tracking/matched_filter/measure.h"
@@ -10,42 +11,14 @@ namespace vdamf
 {
 namespace
 {
-// Rectangle around the hits at a heading.
-struct Bounds
-{
-    double minX = 1e30, maxX = -1e30, minY = 1e30, maxY = -1e30;
-};
-
-Bounds boundsAt(const Hits& hits, double heading)
-{
-    Bounds bounds;
-    inWideLanes([
-        c = std::cos(heading), s = std::sin(heading), size = hits.size(), px = hits.x.data(),
-        py = hits.y.data(), result = &bounds
-    ]() __attribute__((always_inline)) {
-        Bounds b;
-        for (std::size_t i = 0; i < size; ++i)
-        {
-            const double x = c * px[i] + s * py[i];
-            const double y = c * py[i] - s * px[i];
-            b.minX = x < b.minX ? x : b.minX;
-            b.maxX = x > b.maxX ? x : b.maxX;
-            b.minY = y < b.minY ? y : b.minY;
-            b.maxY = y > b.maxY ? y : b.maxY;
-        }
-        *result = b;
-    });
-    return bounds;
-}
-
 // How closely the hits keep to the edges of their bounds (Zhang et al., IV 2017).
-double closenessTo(const Bounds& b, const Hits& hits, double heading)
+double closenessTo(const HitBounds& b, const Hits& hits, const Direction& along)
 {
     constexpr double kClosest = 0.1;  // m; nearer to an edge than this is on it
     double closeness = 0.0;
     inWideLanes([
-        b, c = std::cos(heading), s = std::sin(heading), size = hits.size(), px = hits.x.data(),
-        py = hits.y.data(), weights = hits.weight.data(), result = &closeness
+        b, c = along.cos, s = along.sin, size = hits.size(), px = hits.x.data(), py = hits.y.data(),
+        weights = hits.weight.data(), result = &closeness
     ]() __attribute__((always_inline)) {
         Doubles sum{};
         const auto add = [&](std::size_t first, std::size_t count) __attribute__((always_inline))
@@ -83,13 +56,14 @@ OrientedBox startBox(const Hits& hits, const Eigen::Vector2d& sensor, double wid
     constexpr int kHeadings = 30;      // over a quarter turn
     if (hits.size() == 0) return {};
     double heading = 0.0;
-    Bounds best = boundsAt(hits, heading);
-    double closest = closenessTo(best, hits, heading);
+    HitBounds best = boundsAlong(directionOf(heading), hits);
+    double closest = closenessTo(best, hits, directionOf(heading));
     for (int k = 1; k < kHeadings; ++k)
     {
         const double angle = 0.5 * kPi * k / kHeadings;
-        const Bounds b = boundsAt(hits, angle);
-        const double closeness = closenessTo(b, hits, angle);
+        const Direction along = directionOf(angle);
+        const HitBounds b = boundsAlong(along, hits);
+        const double closeness = closenessTo(b, hits, along);
         if (closeness > closest)
         {
             closest = closeness;
@@ -110,8 +84,7 @@ OrientedBox startBox(const Hits& hits, const Eigen::Vector2d& sensor, double wid
         heading += 0.5 * kPi;
         std::swap(length, width);
     }
-    const Eigen::Vector2d forward(std::cos(heading), std::sin(heading));
-    if (forward.dot(centre - sensor) < 0.0) heading += kPi;
+    if (rotation(heading).col(0).dot(centre - sensor) < 0.0) heading += kPi;
     return {centre.x(), centre.y(), wrapAngle(heading),
             std::clamp(length, options.minLength, options.maxLength),
             std::clamp(width, options.minWidth, options.maxWidth)};
@@ -120,7 +93,7 @@ OrientedBox startBox(const Hits& hits, const Eigen::Vector2d& sensor, double wid
 OrientedBox movedOntoHits(const OrientedBox& box, const Hits& hits, const Eigen::Vector2d& sensor)
 {
     if (hits.size() == 0) return box;
-    const Bounds bounds = boundsAt(hits, box.heading);
+    const HitBounds bounds = boundsAlong(directionOf(box.heading), hits);
     const Eigen::Vector2d view = toBoxFrame(box, sensor);
     // Along each axis: the near face if the sensor is beyond it, the middle if it is abreast.
     const auto centreAlong = [](double min, double max, double size, double sensorAlong)

@@ -16,10 +16,32 @@ namespace
 {
 constexpr std::uint32_t kNone = PlaneCells::kNone;
 
-float gapAt(float x, float y, const ClusterOptions& options)
+// By cell: how far its cluster goes on from it.
+struct Reaches
 {
-    const double range = std::sqrt(static_cast<double>(x * x + y * y));
-    return static_cast<float>(std::min(options.gap + options.gapPerRange * range, options.maxGap));
+    std::vector<float> squaredGap;  // m^2
+    std::vector<std::int32_t> cells;
+};
+
+Reaches reachesOf(const PlaneCells& cells, const ClusterOptions& options)
+{
+    Reaches reaches{std::vector<float>(cells.size()), std::vector<std::int32_t>(cells.size())};
+    inWideLanes([
+        size = cells.size(), x = cells.x.data(), y = cells.y.data(),
+        least = static_cast<float>(options.gap), most = static_cast<float>(options.maxGap),
+        perRange = static_cast<float>(options.gapPerRange), squares = reaches.squaredGap.data(),
+        counts = reaches.cells.data()
+    ]() __attribute__((always_inline)) {
+        VDAMF_INDEPENDENT_LANES
+        for (std::size_t i = 0; i < size; ++i)
+        {
+            const float grown = least + perRange * std::sqrt(x[i] * x[i] + y[i] * y[i]);
+            const float gap = grown < most ? grown : most;
+            squares[i] = gap * gap;
+            counts[i] = static_cast<std::int32_t>(gap * (1.0F / PlaneCells::kSize)) + 1;
+        }
+    });
+    return reaches;
 }
 
 typedef std::int32_t Integers __attribute__((vector_size(32)));
@@ -49,18 +71,16 @@ typedef std::int32_t Integers __attribute__((vector_size(32)));
 }
 
 // Unites each cell with those after it, in its row and the rows above, whose means are in reach.
-[[gnu::always_inline]] inline void uniteNeighbours(const PlaneCells& cells,
-                                                   const ClusterOptions& options,
+[[gnu::always_inline]] inline void uniteNeighbours(const PlaneCells& cells, const Reaches& reaches,
                                                    DisjointSets& sets)
 {
     const float* const x = cells.x.data();
     const float* const y = cells.y.data();
     for (std::uint32_t cell = 0; cell < cells.size(); ++cell)
     {
-        const float gap = gapAt(x[cell], y[cell], options);
-        const float squaredGap = gap * gap;
+        const float squaredGap = reaches.squaredGap[cell];
+        const int reach = reaches.cells[cell];
         const int column = cells.column[cell];
-        const int reach = static_cast<int>(gap * (1.0F / PlaneCells::kSize)) + 1;
         const int lastRow = std::min(cells.row[cell] + reach, cells.bitmap.rows() - 1);
         std::uint32_t root = sets.root(cell);
         for (int row = cells.row[cell]; row <= lastRow; ++row)
@@ -181,7 +201,8 @@ std::vector<Cluster> clusterPoints(const LadarFrame& frame, const AboveGround& a
 {
     const PlaneCells cells = sortIntoCells(frame, aboveGround);
     DisjointSets sets(cells.size());
-    inWideLanes([&]() __attribute__((always_inline)) { uniteNeighbours(cells, options, sets); });
+    const Reaches reaches = reachesOf(cells, options);
+    inWideLanes([&]() __attribute__((always_inline)) { uniteNeighbours(cells, reaches, sets); });
     return gather(frame, aboveGround, cells.ofHit, numberClusters(cells, sets, options));
 }
 

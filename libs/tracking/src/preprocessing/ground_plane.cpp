@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "preprocessing/ground_plane.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <vector>
 
+#include "types/cholesky.h"
+#include "types/lanes.h"
 #include "types/wide_lanes.h"
 
 namespace vdamf
@@ -130,6 +131,50 @@ Candidate bestPlane(const CellHits& points, const GroundOptions& options)
     return best;
 }
 
+// Of weight times products of x, y and the height e over a plane.
+struct WeightedSums
+{
+    double w, x, y, xx, xy, yy, e, xe, ye;
+};
+
+// By a biweight: nothing from `width` (m) over or below the plane on.
+WeightedSums sumsAbout(const CellHits& points, const GroundPlane& plane, float width)
+{
+    WeightedSums sums{};
+    inWideLanes([
+        =, px = points.x.data(), py = points.y.data(), pz = points.z.data(), size = points.z.size(),
+        perWidth = 1.0F / width, result = &sums
+    ]() __attribute__((always_inline)) {
+        Floats w{}, wx{}, wy{}, wxx{}, wxy{}, wyy{}, we{}, wxe{}, wye{};
+        const auto add = [&](std::size_t first, std::size_t count) __attribute__((always_inline))
+        {
+            Floats x, y, z;
+            load(x, px + first, count);
+            load(y, py + first, count);
+            load(z, pz + first, count);
+            constexpr Floats kNumbers = {0, 1, 2, 3, 4, 5, 6, 7};
+            const Floats e = z - plane.height - plane.slopeX * x - plane.slopeY * y;
+            const Floats u = e * perWidth;
+            const Floats off = 1.0F - u * u;
+            const auto counts = (off > 0.0F) & (kNumbers < static_cast<float>(count));
+            const Floats weight = counts ? off * off : Floats{};
+            w += weight;
+            wx += weight * x;
+            wy += weight * y;
+            wxx += weight * x * x;
+            wxy += weight * x * y;
+            wyy += weight * y * y;
+            we += weight * e;
+            wxe += weight * x * e;
+            wye += weight * y * e;
+        };
+        inGroupsOf<kLanes<Floats>>(size, add);
+        *result = {sumOf(w),   sumOf(wx), sumOf(wy),  sumOf(wxx), sumOf(wxy),
+                   sumOf(wyy), sumOf(we), sumOf(wxe), sumOf(wye)};
+    });
+    return sums;
+}
+
 // Least squares, reweighted with a biweight whose width shrinks; a weak tie to the slope of the
 // start keeps frames with one circle on the ground or a narrow view from turning over.
 GroundPlane refine(const CellHits& points, const GroundPlane& start)
@@ -137,21 +182,18 @@ GroundPlane refine(const CellHits& points, const GroundPlane& start)
     GroundPlane plane = start;
     for (const float width : {0.6F, 0.45F, 0.3F, 0.25F, 0.25F})
     {
-        Eigen::Matrix3f a = Eigen::Vector3f(1e-3F, 50.0F, 50.0F).asDiagonal();
-        Eigen::Vector3f b(0.0F, 50.0F * (start.slopeX - plane.slopeX),
-                          50.0F * (start.slopeY - plane.slopeY));
-        for (std::size_t i = 0; i < points.z.size(); ++i)
-        {
-            const LowHit p = points.at(i);
-            const float e = p.z - plane.at(p.x, p.y);
-            if (std::abs(e) >= width) continue;
-            const float u = e / width;
-            const float w = (1.0F - u * u) * (1.0F - u * u);
-            const Eigen::Vector3f h(1.0F, p.x, p.y);
-            a += w * h * h.transpose();
-            b += w * e * h;
-        }
-        const Eigen::Vector3f step = a.ldlt().solve(b);
+        const WeightedSums sums = sumsAbout(points, plane, width);
+        Eigen::Matrix3d a = Eigen::Vector3d(1e-3, 50.0, 50.0).asDiagonal();
+        Eigen::Vector3d b(0.0, 50.0 * (start.slopeX - plane.slopeX),
+                          50.0 * (start.slopeY - plane.slopeY));
+        a(0, 0) += sums.w;
+        a(1, 0) += sums.x;
+        a(2, 0) += sums.y;
+        a(1, 1) += sums.xx;
+        a(2, 1) += sums.xy;
+        a(2, 2) += sums.yy;
+        b += Eigen::Vector3d(sums.e, sums.xe, sums.ye);
+        const Eigen::Vector3f step = Cholesky<3>(a).solve(b).cast<float>();
         plane = {plane.height + step[0], plane.slopeX + step[1], plane.slopeY + step[2]};
     }
     return plane;

@@ -39,14 +39,12 @@ struct PolarGrid
 };
 
 /// Where the hits of a frame lie, arrays as long as its points. Small on purpose: the time that
-/// ground removal takes is mostly the memory that it touches.
+/// ground removal takes is mostly the memory that it touches, so nobody fills it with zeros before.
 struct PolarHits
 {
     Eigen::Vector3f shift = Eigen::Vector3f::Zero();  ///< from the points to sensor coordinates, m
-    std::vector<float> ring;          ///< PolarGrid::coordinate; negative where not used
-    std::vector<std::uint16_t> cell;  ///< 0 where not used
-    /// Millimetres above a depth that no hit reaches; the greatest where not used.
-    std::vector<std::uint32_t> elevation;
+    Eigen::ArrayXf ring;  ///< PolarGrid::coordinate; negative where not used
+    Eigen::Array<std::uint16_t, Eigen::Dynamic, 1> cell;  ///< 0 where not used
 };
 
 /// Hits out of the options' ranges or not finite are marked as not used.

@@ -58,7 +58,9 @@ double lowestSlope(const LadarFrame& frame)
     double lowest = 0.0;
     for (std::size_t i = 0; i < points.size(); i += step)
     {
-        const float range = std::hypot(points.x[i] - sensor.x(), points.y[i] - sensor.y());
+        const float x = points.x[i] - sensor.x();
+        const float y = points.y[i] - sensor.y();
+        const float range = std::sqrt(x * x + y * y);
         // False for what is not finite, too.
         if (range > kNear)
             lowest = std::min(lowest, static_cast<double>((points.z[i] - sensor.z()) / range));

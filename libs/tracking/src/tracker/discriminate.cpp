@@ -17,16 +17,19 @@ const DiscriminatorModel& Discriminator::model() const
 }
 
 // Frames in a row show nearly the same. After the first ones every other frame is enough, of a
-// track that is as good as certain either way every fourth, and those that show more of it or less.
+// track that is certain either way every fourth, of one that is most certain every eighth, and
+// those that show more of it or less.
 bool Discriminator::mayTellMore(const Track& track, std::size_t hits) const
 {
-    constexpr int kFirst = 5;         // sightings
-    constexpr double kCertain = 2.2;  // log odds
-    constexpr double kAlike = 1.5;    // ratio of numbers of hits
+    constexpr int kFirst = 5;             // sightings
+    constexpr double kCertain = 2.2;      // log odds
+    constexpr double kMostCertain = 3.3;  // log odds
+    constexpr double kAlike = 1.5;        // ratio of numbers of hits
     const Judgement& last = track.judgement;
-    const bool isCertain = std::abs(trackLogOdds(last.evidence, model().track)) > kCertain;
+    const double certainty = std::abs(trackLogOdds(last.evidence, model().track));
+    const bool isCertain = certainty > kCertain;
     if (!isCertain && track.sightings <= kFirst) return true;
-    const std::uint64_t turns = isCertain ? 4 : 2;
+    const std::uint64_t turns = certainty > kMostCertain ? 8 : (isCertain ? 4 : 2);
     if ((static_cast<std::uint64_t>(track.sightings) + track.id) % turns == 0) return true;
     const double ratio = static_cast<double>(hits) / static_cast<double>(last.hits);
     return ratio > kAlike || ratio * kAlike < 1.0;

@@ -60,7 +60,7 @@ double shareSeenThrough(const OrientedBox& box, const OpenView& view)
     for (int k = 0; k < kRays; ++k)
     {
         const double bearing = middle + right + (left - right) * (k + 0.5) / kRays;
-        const Eigen::Vector2d ray(std::cos(bearing), std::sin(bearing));
+        const Eigen::Vector2d ray = rotation(bearing).col(0);
         const double behind = farthestIn(box, view.sensor, ray) + kSlack;
         if (view.field.has(bearing) && view.profile.at(bearing) > behind) ++through;
     }

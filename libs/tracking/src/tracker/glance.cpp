@@ -26,7 +26,7 @@ bool isWhereItWas(const Track& track, const SegmentedFrame& frame,
     constexpr double kStands = 0.5;  // likelier than not
     if (track.misses > 0 || track.stoodProbability < kStands) return false;
     const OrientedBox before = track.boxOfHits();
-    return haveSameEnds(before, rectangleAround(hitsOf(frame, clusters), before.heading));
+    return haveSameEnds(before, rectangleAround(*hitsOf(frame, clusters), before.heading));
 }
 
 Track glancedTrack(Track track, const SegmentedFrame& frame,

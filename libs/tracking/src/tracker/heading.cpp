@@ -32,15 +32,15 @@ struct Course
     // Speed along a heading, m/s.
     double speedAlong(double heading) const
     {
-        return duration > 0.0 ? distance / duration * std::cos(direction - heading) : 0.0;
+        return duration > 0.0 ? distance / duration * directionOf(direction - heading).cos : 0.0;
     }
 };
 
 // Half the extent of a box along a direction, m.
 double halfAlong(const OrientedBox& box, double direction)
 {
-    const double angle = direction - box.heading;
-    return 0.5 * (std::abs(box.length * std::cos(angle)) + std::abs(box.width * std::sin(angle)));
+    const Direction d = directionOf(direction - box.heading);
+    return 0.5 * (std::abs(box.length * d.cos) + std::abs(box.width * d.sin));
 }
 
 // How far a box has moved along a direction (m): as far as that one of its two faces there that has
@@ -48,7 +48,7 @@ double halfAlong(const OrientedBox& box, double direction)
 // does.
 double movedAlong(double direction, const OrientedBox& from, const OrientedBox& to)
 {
-    const Eigen::Vector2d axis(std::cos(direction), std::sin(direction));
+    const Eigen::Vector2d axis = rotation(direction).col(0);
     const double centre = axis.dot(to.centre() - from.centre());
     const double growth = halfAlong(to, direction) - halfAlong(from, direction);
     return std::copysign(std::max(0.0, std::abs(centre) - std::abs(growth)), centre);
@@ -214,7 +214,7 @@ int towardsPath(const Track& track, int quarters)
 {
     const Eigen::Vector2d moved = track.path.back().box.centre() - track.path.front().box.centre();
     const double heading = track.state.mean(kHeading) + 0.5 * kPi * quarters;
-    const double forth = moved.x() * std::cos(heading) + moved.y() * std::sin(heading);
+    const double forth = rotation(heading).col(0).dot(moved);
     return forth < -kCourseDistance ? (quarters + 2) % 4 : quarters;
 }
 }  // namespace

@@ -150,7 +150,7 @@ std::optional<Sighting> firstSighting(const SegmentedFrame& frame, const Start& 
     HitsAtOneTime seen = hitsAtOneTime(frame, {at.cluster}, unknown, options.measurement.mergeCell);
     if (at.other != kNone) seen.goesOn = middleOf(frame.hits[at.other]);
     const OrientedBox start =
-        startBox(seen.hits, frame.sensor, widestEnd(heightOf(frame.clusters[at.cluster])),
+        startBox(*seen.hits, frame.sensor, widestEnd(heightOf(frame.clusters[at.cluster])),
                  options.measurement.fit);
     if (std::hypot(start.length, start.width) > options.lifecycle.maxExtent) return std::nullopt;
     return withLikelierAxes(

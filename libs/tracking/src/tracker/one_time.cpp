@@ -20,8 +20,9 @@ struct TimeSpan
     double length() const { return last - first; }
 };
 
-Cluster joinedClusters(const SegmentedFrame& frame, const std::vector<std::size_t>& clusters)
+Lent<Cluster> clustersOf(const SegmentedFrame& frame, const std::vector<std::size_t>& clusters)
 {
+    if (clusters.size() == 1) return Lent<Cluster>::from(frame.clusters[clusters.front()]);
     Cluster all;
     for (const std::size_t k : clusters)
     {
@@ -96,12 +97,6 @@ Cluster movedTo(double time, Cluster cluster, const TargetMotion& motion)
     return cluster;
 }
 
-// A level scan line measures none; those of its hits are assumed.
-Hits withKnownHeights(Hits hits, const SegmentedFrame& frame)
-{
-    if (frame.planar) hits.heights = 0;
-    return hits;
-}
 }  // namespace
 
 TargetMotion motionOf(const VehicleState& state)
@@ -124,11 +119,11 @@ HitsAtOneTime hitsAtOneTime(const SegmentedFrame& frame, const std::vector<std::
     HitsAtOneTime result;
     if (!timed)
     {
-        result.hits = withKnownHeights(hitsOf(frame, clusters), frame);
-        result.each = joinedClusters(frame, clusters);
+        result.hits = hitsOf(frame, clusters);
+        result.each = clustersOf(frame, clusters);
         return result;
     }
-    Cluster all = joinedClusters(frame, clusters);
+    Cluster all = *clustersOf(frame, clusters);
     TimeSpan span = spanOf(all);
     if (span.length() > kSeamGap && motion.speedSigma * span.length() > kMostDistance)
     {
@@ -140,7 +135,7 @@ HitsAtOneTime hitsAtOneTime(const SegmentedFrame& frame, const std::vector<std::
     result.lag = meanTime(all);
     if (motion.velocity.norm() * span.length() > kStill)
         all = movedTo(result.lag, std::move(all), motion);
-    result.hits = withKnownHeights(projectHits(all, mergeCell), frame);
+    result.hits = projected(all, mergeCell, frame.planar);
     result.each = std::move(all);
     return result;
 }

@@ -113,9 +113,9 @@ Measurement withTurnOfPieces(const Sighting& sighting)
 Measurement withRecessOfEnd(const Sighting& sighting, const HitsAtOneTime& seen)
 {
     Measurement m = sighting.measurement;
-    const bool heightsKnown = seen.hits.heights != 0;
+    const bool heightsKnown = seen.hits->heights != 0;
     if (!heightsKnown || !m.facesSeen.seesEnd() || sighting.height > kTruckHeight) return m;
-    const double above = lowestOfEnd(m, sighting.end.metres, seen.each) - kBumper;
+    const double above = lowestOfEnd(m, sighting.end.metres, *seen.each) - kBumper;
     if (!(above > 0.0) || !std::isfinite(above)) return m;
     if (above > kRoof && m.facesSeen.seesSide())
     {

@@ -18,7 +18,7 @@ SegmentedFrame withSharedClustersCut(SegmentedFrame frame,
                        options.association);
         for (std::size_t k = 0; k < pieces.size(); ++k)
         {
-            Hits hits = projectHits(pieces[k], options.measurement.mergeCell);
+            Hits hits = projected(pieces[k], options.measurement.mergeCell, frame.planar);
             if (k == 0)
             {
                 frame.clusters[shared.cluster] = std::move(pieces[k]);

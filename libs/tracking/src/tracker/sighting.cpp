@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "tracker/partial_faces.h"
+#include "types/hit_bounds.h"
 #include "types/lanes.h"
 #include "types/wide_lanes.h"
 #include "vdamf/tracking/estimation/occlusion.h"
@@ -104,9 +105,16 @@ double heightOf(const Cluster& cluster)
     return highest;
 }
 
-Hits hitsOf(const SegmentedFrame& frame, const std::vector<std::size_t>& clusters)
+Hits projected(const Cluster& cluster, double mergeCell, bool planar)
 {
-    if (clusters.size() == 1) return frame.hits[clusters.front()];
+    Hits hits = projectHits(cluster, mergeCell);
+    if (planar) hits.heights = 0;
+    return hits;
+}
+
+Lent<Hits> hitsOf(const SegmentedFrame& frame, const std::vector<std::size_t>& clusters)
+{
+    if (clusters.size() == 1) return Lent<Hits>::from(frame.hits[clusters.front()]);
     Hits all;
     for (const std::size_t k : clusters) all = joined(all, frame.hits[k]);
     return all;
@@ -114,28 +122,10 @@ Hits hitsOf(const SegmentedFrame& frame, const std::vector<std::size_t>& cluster
 
 OrientedBox rectangleAround(const Hits& hits, double heading)
 {
-    const Eigen::Matrix2d axes = rotation(heading);
-    Eigen::Vector2d min = Eigen::Vector2d::Constant(1e30);
-    Eigen::Vector2d max = -min;
-    inWideLanes([
-        c = axes(0, 0), s = axes(1, 0), size = hits.size(), px = hits.x.data(), py = hits.y.data(),
-        least = &min, most = &max
-    ]() __attribute__((always_inline)) {
-        double minX = 1e30, minY = 1e30, maxX = -1e30, maxY = -1e30;
-        for (std::size_t i = 0; i < size; ++i)
-        {
-            const double x = c * px[i] + s * py[i];
-            const double y = c * py[i] - s * px[i];
-            minX = x < minX ? x : minX;
-            minY = y < minY ? y : minY;
-            maxX = x > maxX ? x : maxX;
-            maxY = y > maxY ? y : maxY;
-        }
-        *least = {minX, minY};
-        *most = {maxX, maxY};
-    });
-    const Eigen::Vector2d middle = axes * (0.5 * (min + max));
-    return {middle.x(), middle.y(), heading, max.x() - min.x(), max.y() - min.y()};
+    const HitBounds b = boundsAlong(directionOf(heading), hits);
+    const Eigen::Vector2d middle =
+        rotation(heading) * Eigen::Vector2d(0.5 * (b.minX + b.maxX), 0.5 * (b.minY + b.maxY));
+    return {middle.x(), middle.y(), heading, b.maxX - b.minX, b.maxY - b.minY};
 }
 
 FaceRow rowAlongFace(const Hits& hits, const OrientedBox& box, const Eigen::Vector2d& sensor,
@@ -199,12 +189,12 @@ Sighting sightingOf(const SegmentedFrame& frame, const std::vector<std::size_t>&
     s.sensor = sensor;
     s.lag = seen.lag;
     s.clusters = clusters;
-    s.measurement = measureTarget(seen.hits, sensor, start, options, knownLengthWidth, effort);
+    s.measurement = measureTarget(*seen.hits, sensor, start, options, knownLengthWidth, effort);
     Measurement& m = s.measurement;
     m.hiddenEnds = hiddenEnds(m.box, m.facesSeen, sensor, frame.profile);
-    s.around = rectangleAround(seen.hits, m.box.heading);
-    s.end = rowAlongFace(seen.hits, m.box, sensor, 0);
-    s.side = rowAlongFace(seen.hits, m.box, sensor, 1);
+    s.around = rectangleAround(*seen.hits, m.box.heading);
+    s.end = rowAlongFace(*seen.hits, m.box, sensor, 0);
+    s.side = rowAlongFace(*seen.hits, m.box, sensor, 1);
     if (seen.goesOn) m = goingOnTowards(m, *seen.goesOn);
 
     double ground = 0.0;

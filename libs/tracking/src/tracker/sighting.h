@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "types/lent.h"
 #include "vdamf/tracking/matched_filter/measure.h"
 #include "vdamf/tracking/types/cluster.h"
 #include "vdamf/tracking/types/measurement.h"
@@ -28,12 +29,12 @@ struct SegmentedFrame
     std::vector<Hits> hits;  ///< of each cluster
 };
 
-/// Hits as they lay together at one time.
+/// Hits as they lay together at one time. Of a single cluster without times they are the frame's.
 struct HitsAtOneTime
 {
-    Hits hits;
-    Cluster each;      ///< the same one by one, with heights and without z
-    double lag = 0.0;  ///< s after the frame's time
+    Lent<Hits> hits;
+    Lent<Cluster> each;  ///< the same one by one, with heights; z is not told
+    double lag = 0.0;    ///< s after the frame's time
     /// Middle of the part that was left out, in the frame of the hits, m: towards it the target
     /// goes on.
     std::optional<Eigen::Vector2d> goesOn;
@@ -64,8 +65,12 @@ struct Sighting
 /// Height of the highest hit above the local ground, m.
 double heightOf(const Cluster& cluster);
 
-/// The hits of some of the frame's clusters together.
-Hits hitsOf(const SegmentedFrame& frame, const std::vector<std::size_t>& clusters);
+/// The hits of a cluster projected. A level scan line (`planar`) measures no heights: those of its
+/// hits are assumed.
+Hits projected(const Cluster& cluster, double mergeCell, bool planar);
+
+/// The hits of some of the frame's clusters together; of a single one, the frame's.
+Lent<Hits> hitsOf(const SegmentedFrame& frame, const std::vector<std::size_t>& clusters);
 
 /// The smallest rectangle of a heading with all hits.
 OrientedBox rectangleAround(const Hits& hits, double heading);

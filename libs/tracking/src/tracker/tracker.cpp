@@ -87,7 +87,7 @@ private:
         s.hits.resize(s.clusters.size());
         workers_.forEach(
             s.clusters.size(), [&](std::size_t i, std::size_t)
-            { s.hits[i] = projectHits(s.clusters[i], options_.measurement.mergeCell); });
+            { s.hits[i] = projected(s.clusters[i], options_.measurement.mergeCell, s.planar); });
         return s;
     }
 

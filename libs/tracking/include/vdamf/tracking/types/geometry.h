@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 
+#include "vdamf/tracking/types/direction.h"
+
 namespace vdamf
 {
 inline constexpr double kPi = 3.14159265358979323846;
@@ -21,9 +23,8 @@ inline double wrapAngle(double angle)
 /// R(angle), counter-clockwise.
 inline Eigen::Matrix2d rotation(double angle)
 {
-    const double c = std::cos(angle);
-    const double s = std::sin(angle);
-    return (Eigen::Matrix2d() << c, -s, s, c).finished();
+    const Direction d = directionOf(angle);
+    return (Eigen::Matrix2d() << d.cos, -d.sin, d.sin, d.cos).finished();
 }
 
 /// A rectangle in the horizontal plane; the frame is named by whoever holds it.
