@@ -103,14 +103,16 @@ TEST(PartialFaces, HitsAboveTheBumperMayLieBehindTheEnd)
 // Of a rear half hidden by what is nearer the roof shows, and at the corner all of the side.
 HitsAtOneTime roofAndCorner(double lowestOfRear)
 {
-    HitsAtOneTime seen = hitsOnRear(lowestOfRear);
+    Cluster hits = *hitsOnRear(lowestOfRear).each;
     for (int k = 0; k < 8; ++k)
     {
-        seen.each.x.push_back(20.02F + 0.03F * static_cast<float>(k));
-        seen.each.y.push_back(0.85F);
-        seen.each.height.push_back(0.4F);
+        hits.x.push_back(20.02F + 0.03F * static_cast<float>(k));
+        hits.y.push_back(0.85F);
+        hits.height.push_back(0.4F);
     }
-    seen.hits = projectHits(seen.each, 0.0);
+    HitsAtOneTime seen;
+    seen.hits = projectHits(hits, 0.0);
+    seen.each = std::move(hits);
     return seen;
 }
 
