@@ -15,7 +15,7 @@ namespace
 constexpr double kRestTime = 1.6;  // s, in which vehicles that stand may start, or stop
 // Vehicles hold their speed for 4 s in the mean, then change it for 3 s; their steering they hold
 // and change for 4 s each, apart from it. So from one way to another, 1/s; what does both may end
-// up either way. From a later way to an earlier one it begins to change something.
+// up either way.
 constexpr double kBegins = 1.0 / 4.0;
 constexpr double kEndsSpeed = 1.0 / 3.0;
 constexpr double kEndsTurn = 1.0 / 4.0;
@@ -161,10 +161,11 @@ VehicleState onWheels(const MotionHypotheses& h)
     return Mixture(h.driving).of(h.drivingProbability, 0);
 }
 
-// How often a vehicle goes over from one way to another, 1/s.
+// How often a vehicle goes over from one way to another, 1/s: calm ones begin to change their speed
+// less often.
 double rateOf(std::size_t from, std::size_t to, double calm)
 {
-    return to < from ? calm * kRates[from][to] : kRates[from][to];
+    return kSteerings[to] == Steering::VariableAxis ? calm * kRates[from][to] : kRates[from][to];
 }
 
 // Each starts from what all know, weighed with the odds that it came from there.

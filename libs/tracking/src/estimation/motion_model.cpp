@@ -27,11 +27,10 @@ StateVector VariableAxisModel::bounded(const StateVector& state) const
 MotionOptions optionsOf(Steering steering, MotionOptions options, double calm)
 {
     if (steering == Steering::VariableAxis) return options;
-    const double share = options.steadyShare * std::sqrt(calm);
-    options.accelerationSigma *= share;
+    options.accelerationSigma *= options.steadyShare * std::sqrt(calm);
     if (steering == Steering::Turning) return options;
-    options.maxCurvatureRate *= share;
-    options.lateralJerk *= share;
+    options.maxCurvatureRate *= options.steadyShare;
+    options.lateralJerk *= options.steadyShare;
     return options;
 }
 

@@ -55,7 +55,7 @@ private:
 };
 
 /// Options of a steering that follows wheels: those of Steering::VariableAxis, with weaker changes
-/// of what it hardly changes. `calm`: share that is left of the variance of those.
+/// of what it hardly changes. `calm`: share that is left of the variance of speeds that are held.
 MotionOptions optionsOf(Steering steering, MotionOptions options, double calm = 1.0);
 
 /// The model that a state's rows are meant for.

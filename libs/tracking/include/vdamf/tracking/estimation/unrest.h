@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Whether a vehicle goes on more steadily than traffic does, told by how well it was foretold.
+// Whether a vehicle holds its speed better than traffic does, told by how well it was foretold.
 #pragma once
 
 namespace vdamf
@@ -12,8 +12,8 @@ class Unrest
 public:
     double value() const { return value_; }
 
-    /// What is left of the changes that vehicles in traffic make: share of their variance, and of
-    /// how often they begin. From 0.03 to 1.
+    /// What is left of the changes of speed that vehicles in traffic make: share of their variance
+    /// while they hold it, and of how often they begin. From 0.03 to 1.
     double calm() const;
 
     /// `dt` seconds later.
