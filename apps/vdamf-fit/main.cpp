@@ -37,11 +37,7 @@ void declare(CLI::App& app, Cli& cli)
 
 vdamf::MeasureOptions optionsOf(const Cli& cli)
 {
-    vdamf::IniDocument document = cli.config.empty()
-                                      ? vdamf::IniDocument::parse("", "built-in configuration")
-                                      : vdamf::IniDocument::load(cli.config);
-    for (const std::string& assignment : cli.set) document.set(assignment);
-    return vdamf::readConfiguration(document).tracker.measurement;
+    return vdamf::loadConfiguration(cli.config, cli.set).tracker.measurement;
 }
 
 struct Tally

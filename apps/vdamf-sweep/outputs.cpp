@@ -21,13 +21,6 @@ constexpr const char* kTimes = "times.csv";
 constexpr const char* kPage = "report.html";
 constexpr const char* kBest = "best.ini";
 
-void writeFile(const fs::path& path, const std::string& content)
-{
-    OutputFile file(path, OutputFile::Existing::Overwrite, OutputFile::Unfinished::Discard);
-    file.write(content);
-    file.commit();
-}
-
 std::string inWords(std::optional<double> value)
 {
     char text[40] = "-";
@@ -51,17 +44,17 @@ void checkOutputs(const PreparedSweep& sweep, const fs::path& folder)
 
 void writeSweepCopy(const PreparedSweep& sweep, const fs::path& folder)
 {
-    writeFile(folder / kSweepCopy, readTextFile(sweep.file.path));
+    writeTextFile(folder / kSweepCopy, readTextFile(sweep.file.path));
 }
 
 void writeOutputs(const PreparedSweep& sweep, const SweepResults& results, const fs::path& folder)
 {
-    writeFile(folder / kTable, tableCsv(results));
-    writeFile(folder / kTimes, timesCsv(results));
-    writeFile(folder / kPage, sweepPage(results, sweep.file.path.stem().string()));
+    writeTextFile(folder / kTable, tableCsv(results));
+    writeTextFile(folder / kTimes, timesCsv(results));
+    writeTextFile(folder / kPage, sweepPage(results, sweep.file.path.stem().string()));
     const std::optional<std::size_t> best = bestSetting(results);
     if (best)
-        writeFile(folder / kBest, settingIni(sweep, results, *best));
+        writeTextFile(folder / kBest, settingIni(sweep, results, *best));
     else
         fs::remove(folder / kBest);
 }

@@ -69,15 +69,6 @@ void parseFrames(const std::string& text, vdamf::TrackRawlogJob& job)
         throw std::invalid_argument("--frames " + text + ": holds no frame");
 }
 
-vdamf::Configuration configurationOf(const Cli& cli)
-{
-    vdamf::IniDocument document = cli.config.empty()
-                                      ? vdamf::IniDocument::parse("", "built-in configuration")
-                                      : vdamf::IniDocument::load(cli.config);
-    for (const std::string& assignment : cli.set) document.set(assignment);
-    return vdamf::readConfiguration(document);
-}
-
 std::vector<std::string> outputsOf(const Cli& cli)
 {
     std::vector<std::string> all;
@@ -182,7 +173,7 @@ int track(const Cli& cli, const vdamf::TrackRawlogJob& job)
 
 vdamf::TrackRawlogJob prepared(const Cli& cli)
 {
-    const vdamf::Configuration configuration = configurationOf(cli);
+    const vdamf::Configuration configuration = vdamf::loadConfiguration(cli.config, cli.set);
     vdamf::TrackRawlogJob job;
     if (!cli.printConfig) job = jobOf(cli);
     job.configuration = configuration;

@@ -43,7 +43,7 @@ ClassifierJob prepared(const ClassifierCommandLine& line)
 {
     ClassifierJob job = line.job;
     job.recordings = readRecordings(readList(line.inputs));
-    job.configuration = readConfiguration(line.inputs);
+    job.configuration = loadConfiguration(line.inputs.config);
     checkLeaveOut(job);
     job.version = VDAMF_VERSION;
     checkOutputPaths(outputsOf(job), namedInputs(line.inputs, job.recordings));

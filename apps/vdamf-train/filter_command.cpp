@@ -33,7 +33,7 @@ FilterJob prepared(const FilterCommandLine& line)
 {
     FilterJob job = line.job;
     job.sources = readFilterSources(readList(line.inputs));
-    job.configuration = readConfiguration(line.inputs);
+    job.configuration = loadConfiguration(line.inputs.config);
     job.version = VDAMF_VERSION;
     checkOutputPaths(outputsOf(job), namedInputs(line.inputs, job.sources.recordings));
     return job;

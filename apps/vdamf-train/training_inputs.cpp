@@ -19,10 +19,4 @@ IniDocument readList(const TrainingInputs& inputs)
     return document;
 }
 
-Configuration readConfiguration(const TrainingInputs& inputs)
-{
-    return inputs.config.empty() ? Configuration{}
-                                 : readConfiguration(IniDocument::load(inputs.config));
-}
-
 }  // namespace vdamf

@@ -27,9 +27,6 @@ void declareInputs(CLI::App& command, TrainingInputs& inputs, const std::string&
 /// The list, with what the command line sets over it. Throws std::runtime_error.
 IniDocument readList(const TrainingInputs& inputs);
 
-/// The configuration named, or else the default one. Throws std::runtime_error.
-Configuration readConfiguration(const TrainingInputs& inputs);
-
 /// All files that are read, which no output may replace. `recordings` have a rawlog and a truth.
 template <class Recordings>
 std::vector<NamedInput> namedInputs(const TrainingInputs& inputs, const Recordings& recordings)

@@ -39,12 +39,8 @@ void declare(CLI::App& app, Cli& cli)
 
 vdamf::TrackRawlogJob jobOf(const Cli& cli)
 {
-    vdamf::IniDocument document = cli.config.empty()
-                                      ? vdamf::IniDocument::parse("", "built-in configuration")
-                                      : vdamf::IniDocument::load(cli.config);
-    for (const std::string& assignment : cli.set) document.set(assignment);
     vdamf::TrackRawlogJob job;
-    job.configuration = vdamf::readConfiguration(document);
+    job.configuration = vdamf::loadConfiguration(cli.config, cli.set);
     job.input = cli.input;
     job.otherOutputs = {cli.tracks};
     job.configurationFile = cli.config;

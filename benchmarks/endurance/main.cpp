@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vdamf_benchmark_endurance: hours of driving from one short drive, as fast as the machine can.
-#include <CLI/CLI.hpp>
 #include <cstdio>
 
 #include "endurance/endurance.h"
+#include "program.h"
 
 namespace
 {
@@ -24,30 +24,34 @@ void print(const vdamf::endurance::Result& result)
     line("confirmed", result.confirmed);
     line("identities used twice", result.reused);
 }
-}  // namespace
 
-int main(int argc, char** argv)
+void declare(CLI::App& app, vdamf::endurance::Plan& plan)
 {
-    CLI::App app("Replays a drive for hours of recording time, ever farther from where it began.");
-    vdamf::endurance::Plan plan;
-    plan.rawlog = VDAMF_SOURCE_DIR "/datasets/street/street.rawlog";
     app.add_option("-i,--input", plan.rawlog, "rawlog of poses (CObservationRobotPose) and scans");
     app.add_option("--hours", plan.hours, "of recording time")->check(CLI::PositiveNumber);
     app.add_option("--drift-m", plan.drift, "to the east and north from round to round");
     app.add_option("--rows", plan.rows, "of the table")->check(CLI::Range(1, 1000));
-    CLI11_PARSE(app, argc, argv);
-    try
-    {
-        std::printf("%8s %10s %10s %10s %10s %9s %9s\n", "hours", "km", "frames", "ms/frame", "MB",
-                    "same_%", "alike_%");
-        const auto result =
-            vdamf::endurance::run(plan, [](const vdamf::endurance::Row& row) { print(row); });
-        print(result);
-        return result.reused == 0 ? 0 : 1;
-    }
-    catch (const std::exception& error)
-    {
-        std::fprintf(stderr, "vdamf_benchmark_endurance: %s\n", error.what());
-        return 1;
-    }
+}
+
+int replay(const vdamf::endurance::Plan& plan)
+{
+    std::printf("%8s %10s %10s %10s %10s %9s %9s\n", "hours", "km", "frames", "ms/frame", "MB",
+                "same_%", "alike_%");
+    const auto result =
+        vdamf::endurance::run(plan, [](const vdamf::endurance::Row& row) { print(row); });
+    print(result);
+    return result.reused == 0 ? vdamf::kDone : vdamf::kFailed;
+}
+}  // namespace
+
+int main(int argc, char** argv)
+{
+    vdamf::endurance::Plan plan;
+    plan.rawlog = VDAMF_SOURCE_DIR "/datasets/street/street.rawlog";
+    return vdamf::runProgram(
+        argc, argv,
+        {"vdamf_benchmark_endurance",
+         "Replays a drive for hours of recording time, ever farther from where it began.",
+         "Example:\n  vdamf_benchmark_endurance --hours 24",
+         [&](CLI::App& app) { declare(app, plan); }, nullptr, [&] { return replay(plan); }});
 }

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Figures 8 to 10 of the paper from simulated recordings with truth.
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <exception>
@@ -9,8 +8,9 @@
 
 #include "figures/scene.h"
 #include "figures/view.h"
+#include "program.h"
 #include "vdamf/files/numbers.h"
-#include "vdamf/files/output_file.h"
+#include "vdamf/files/text_file.h"
 #include "vdamf/rawlog/track_rawlog.h"
 
 namespace vdamf
@@ -56,9 +56,7 @@ std::optional<TruthRow> objectAt(const std::vector<TruthRow>& truth, const std::
 
 void write(const std::filesystem::path& path, const std::string& svg)
 {
-    OutputFile file(path, OutputFile::Existing::Overwrite, OutputFile::Unfinished::Discard);
-    file.write(svg);
-    file.commit();
+    writeTextFile(path, svg);
     std::printf("%s\n", path.c_str());
 }
 
@@ -130,34 +128,37 @@ void drawWoods(const Job& job, const std::vector<TruthRow>& truth)
     write(job.folder / "fig10_fits.svg", viewsSvg(views, 4));
 }
 
-void draw(const Job& job)
+void drawCircle(const Job& job, const std::vector<TruthRow>& truth)
 {
-    const std::vector<TruthRow> truth = readTruth(job.truth);
-    if (!job.isCircle) return drawWoods(job, truth);
     const std::vector<FigureView> views = targetViews(job, truth, framesOf(job));
     write(job.folder / "fig08_circle.svg", viewsSvg(oneOfEachPart(views, 12, Choice::Middle), 4));
+}
+
+int draw(const Job& job)
+{
+    const std::vector<TruthRow> truth = readTruth(job.truth);
+    job.isCircle ? drawCircle(job, truth) : drawWoods(job, truth);
+    return kDone;
+}
+
+void declare(CLI::App& app, Job& job)
+{
+    app.add_option("-i,--input", job.rawlog, "rawlog")->required();
+    app.add_option("--truth", job.truth, "its truth.csv")->required();
+    app.add_option("--target", job.target, "object of the truth to look at")->required();
+    app.add_option("-o,--output", job.folder, "folder of the pictures")->required();
+    app.add_flag("--circle", job.isCircle, "Fig. 8; else Fig. 9 and 10");
 }
 }  // namespace
 }  // namespace vdamf
 
 int main(int argc, char** argv)
 {
-    CLI::App app("Draws figures 8 to 10 of the paper; run by scripts/paper-figures.sh.");
     vdamf::Job job;
-    app.add_option("-i,--input", job.rawlog, "rawlog")->required();
-    app.add_option("--truth", job.truth, "its truth.csv")->required();
-    app.add_option("--target", job.target, "object of the truth to look at")->required();
-    app.add_option("-o,--output", job.folder, "folder of the pictures")->required();
-    app.add_flag("--circle", job.isCircle, "Fig. 8; else Fig. 9 and 10");
-    CLI11_PARSE(app, argc, argv);
-    try
-    {
-        vdamf::draw(job);
-        return 0;
-    }
-    catch (const std::exception& error)
-    {
-        std::fprintf(stderr, "vdamf_paper_figures: %s\n", error.what());
-        return 1;
-    }
+    return vdamf::runProgram(
+        argc, argv,
+        {"vdamf_paper_figures",
+         "Draws figures 8 to 10 of the paper; run by scripts/paper-figures.sh.", "",
+         [&](CLI::App& app) { vdamf::declare(app, job); }, nullptr,
+         [&] { return vdamf::draw(job); }});
 }

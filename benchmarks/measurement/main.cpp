@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Accuracy and time of the measurement, ours and published ones, side by side in one run.
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -12,8 +11,8 @@
 #include "measurement/dot_plot.h"
 #include "measurement/recorded.h"
 #include "measurement/tables.h"
+#include "program.h"
 #include "vdamf/files/ini.h"
-#include "vdamf/files/output_file.h"
 #include "vdamf/files/text_file.h"
 #include "vdamf/learning/clusters/simulated_clusters.h"
 #include "vdamf/rawlog/filter_file.h"
@@ -51,9 +50,6 @@ void declare(CLI::App& app, Cli& cli)
     app.add_option("--filters", cli.filters,
                    "file of vdamf-train filter, for the rows learned and bank");
     app.add_flag("--no-timing", cli.noTiming, "leave out the table of times by number of hits");
-    app.footer(
-        "Example:\n  vdamf_benchmark_measurement --only clean,car --fits "
-        "coarse_to_fine,closeness");
 }
 
 bool wanted(const std::vector<std::string>& names, const std::string& name)
@@ -161,14 +157,6 @@ std::vector<vdamf::CaseSummary> pictured(const std::vector<vdamf::CaseSummary>& 
     return kept;
 }
 
-void writeFile(const fs::path& path, const std::string& text)
-{
-    vdamf::OutputFile file(path, vdamf::OutputFile::Existing::Overwrite,
-                           vdamf::OutputFile::Unfinished::Discard);
-    file.write(text);
-    file.commit();
-}
-
 int run(const Cli& cli)
 {
     const std::vector<vdamf::Method> methods = methodsOf(cli);
@@ -190,30 +178,25 @@ int run(const Cli& cli)
         timing = vdamf::timed(methods, {30, 100, 300, 1000, 3000}, cli.seed);
         std::printf("%s", vdamf::terminalTiming(timing).c_str());
     }
-    if (cli.out.empty()) return 0;
+    if (cli.out.empty()) return vdamf::kDone;
     const fs::path out = cli.out;
-    writeFile(out / "measurement.csv", vdamf::toCsv(results.rows));
-    writeFile(out / "measurement.md", vdamf::markdownPage(results.rows, timing));
-    writeFile(out / "measurement.svg", vdamf::dotPlot(pictured(results.rows)));
-    writeFile(out / "cases.csv", results.cases);
-    if (!cli.noTiming) writeFile(out / "timing.csv", vdamf::timingCsv(timing));
-    return 0;
+    vdamf::writeTextFile(out / "measurement.csv", vdamf::toCsv(results.rows));
+    vdamf::writeTextFile(out / "measurement.md", vdamf::markdownPage(results.rows, timing));
+    vdamf::writeTextFile(out / "measurement.svg", vdamf::dotPlot(pictured(results.rows)));
+    vdamf::writeTextFile(out / "cases.csv", results.cases);
+    if (!cli.noTiming) vdamf::writeTextFile(out / "timing.csv", vdamf::timingCsv(timing));
+    return vdamf::kDone;
 }
 }  // namespace
 
 int main(int argc, char** argv)
 {
-    CLI::App app("Accuracy and time of the measurement, beside published ways to fit a box.");
     Cli cli;
-    declare(app, cli);
-    CLI11_PARSE(app, argc, argv);
-    try
-    {
-        return run(cli);
-    }
-    catch (const std::exception& error)
-    {
-        std::fprintf(stderr, "vdamf_benchmark_measurement: %s\n", error.what());
-        return 1;
-    }
+    return vdamf::runProgram(
+        argc, argv,
+        {"vdamf_benchmark_measurement",
+         "Accuracy and time of the measurement, beside published ways to fit a box.",
+         "Example:\n  vdamf_benchmark_measurement --only clean,car --fits "
+         "coarse_to_fine,closeness",
+         [&](CLI::App& app) { declare(app, cli); }, nullptr, [&] { return run(cli); }});
 }

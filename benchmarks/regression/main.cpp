@@ -1,27 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The regression bench: every scenario simulated or imported, tracked and scored with the
 // project's programs; one table of what came out, held against bounds and an earlier table.
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <stdexcept>
 #include <thread>
 
+#include "program.h"
 #include "regression/bounds.h"
 #include "regression/comparison.h"
 #include "regression/run.h"
 #include "regression/seeds.h"
 #include "regression/tables.h"
-#include "vdamf/files/output_file.h"
+#include "vdamf/files/text_file.h"
 
 namespace
 {
 namespace fs = std::filesystem;
-
-constexpr int kDone = 0;
-constexpr int kFailed = 1;
-constexpr int kBadUse = 2;
 
 struct Cli
 {
@@ -71,9 +67,6 @@ void declare(CLI::App& app, Cli& cli)
     app.add_option("--jobs", cli.jobs, "runs at once; default: one a core")
         ->check(CLI::Range(1, 1024));
     app.add_flag("--keep", cli.keep, "keep the rawlogs");
-    app.footer(
-        "Example:\n  vdamf_regression --fast --compare before/regression.csv\n"
-        "Exit codes: 0 done; 1 a run failed or left its bounds; 2 bad command line.");
 }
 
 Cli completed(Cli cli)
@@ -85,14 +78,6 @@ Cli completed(Cli cli)
     if (cli.out.empty()) cli.out = (source / "results" / "regression").string();
     if (!cli.tracker.empty()) cli.tracker = fs::absolute(cli.tracker).string();
     return cli;
-}
-
-void writeFile(const fs::path& path, const std::string& text)
-{
-    vdamf::OutputFile file(path, vdamf::OutputFile::Existing::Overwrite,
-                           vdamf::OutputFile::Unfinished::Discard);
-    file.write(text);
-    file.commit();
 }
 
 std::string list(const std::string& title, const std::vector<std::string>& items)
@@ -131,29 +116,42 @@ Results resultsOf(const std::vector<vdamf::RegressionScenario>& scenarios, const
     return results;
 }
 
-int run(const Cli& cli)
+// What is run, and what its results are held against.
+struct Plan
+{
+    std::vector<vdamf::RegressionScenario> scenarios;
+    std::vector<std::string> notes;  // on what is left out
+    std::vector<vdamf::Bound> bounds;
+    std::vector<vdamf::RegressionRow> before;
+};
+
+Plan planOf(const Cli& cli)
 {
     const vdamf::Catalogue catalogue =
         vdamf::catalogueOf(fs::path(cli.source) / "datasets", cli.data);
-    auto scenarios = vdamf::chosenFrom(catalogue, cli.only, cli.fast);
-    if (cli.seeds > 0) scenarios = vdamf::withSeeds(scenarios, cli.seeds);
-    // Read first: the earlier table may be the one that is about to be replaced.
-    std::vector<vdamf::Bound> bounds;
-    if (cli.tracker.empty()) bounds = vdamf::readBounds(cli.bounds);
-    std::vector<vdamf::RegressionRow> before;
-    if (!cli.compare.empty()) before = vdamf::readRegressionTable(cli.compare);
-    if (!cli.fast && cli.only.empty())
-        for (const std::string& note : catalogue.notes) std::printf("%s\n", note.c_str());
+    Plan plan;
+    plan.scenarios = vdamf::chosenFrom(catalogue, cli.only, cli.fast);
+    if (cli.seeds > 0) plan.scenarios = vdamf::withSeeds(plan.scenarios, cli.seeds);
+    if (!cli.fast && cli.only.empty()) plan.notes = catalogue.notes;
+    if (cli.tracker.empty()) plan.bounds = vdamf::readBounds(cli.bounds);
+    // Before the run: it may be the table that is about to be replaced.
+    if (!cli.compare.empty()) plan.before = vdamf::readRegressionTable(cli.compare);
+    return plan;
+}
 
+int run(const Cli& cli, const Plan& plan)
+{
+    for (const std::string& note : plan.notes) std::printf("%s\n", note.c_str());
     const fs::path out = cli.out;
     fs::create_directories(out);
-    const Results results = resultsOf(scenarios, cli);
-    const std::vector<std::string> broken = vdamf::violations(bounds, results.rows);
+    const Results results = resultsOf(plan.scenarios, cli);
+    const std::vector<std::string> broken = vdamf::violations(plan.bounds, results.rows);
     const std::string problems =
         list("Failed:", results.failures) + list("Bounds violated (" + cli.bounds + "):", broken);
-    writeFile(out / "regression.csv", vdamf::toCsv(results.rows));
-    writeFile(out / "regression.md", "# Regression\n\n" + vdamf::markdownTable(results.rows) +
-                                         "\n" + vdamf::tableLegend() + problems);
+    vdamf::writeTextFile(out / "regression.csv", vdamf::toCsv(results.rows));
+    vdamf::writeTextFile(out / "regression.md", "# Regression\n\n" +
+                                                    vdamf::markdownTable(results.rows) + "\n" +
+                                                    vdamf::tableLegend() + problems);
     if (cli.seeds > 0)
         std::printf("%s", vdamf::seedsTable(results.rows).c_str());
     else
@@ -161,34 +159,25 @@ int run(const Cli& cli)
                     vdamf::tableLegend().c_str());
     if (!cli.compare.empty())
         std::printf("\nCompared with %s:\n%s", cli.compare.c_str(),
-                    vdamf::inWords(vdamf::compared(before, results.rows)).c_str());
+                    vdamf::inWords(vdamf::compared(plan.before, results.rows)).c_str());
     std::printf("%s\ntable: %s\n", problems.c_str(), (out / "regression.csv").c_str());
-    return problems.empty() ? kDone : kFailed;
+    return problems.empty() ? vdamf::kDone : vdamf::kFailed;
 }
 }  // namespace
 
 int main(int argc, char** argv)
 {
-    CLI::App app("Tracks and scores every scenario, and says what changed.");
     Cli cli;
-    declare(app, cli);
-    try
+    Plan plan;
+    const auto prepare = [&]
     {
-        app.parse(argc, argv);
-        return run(completed(cli));
-    }
-    catch (const CLI::ParseError& error)
-    {
-        return app.exit(error) == 0 ? kDone : kBadUse;
-    }
-    catch (const std::invalid_argument& error)
-    {
-        std::fprintf(stderr, "vdamf_regression: %s\n", error.what());
-        return kBadUse;
-    }
-    catch (const std::exception& error)
-    {
-        std::fprintf(stderr, "vdamf_regression: %s\n", error.what());
-        return kFailed;
-    }
+        cli = completed(cli);
+        plan = planOf(cli);
+    };
+    return vdamf::runProgram(
+        argc, argv,
+        {"vdamf_regression", "Tracks and scores every scenario, and says what changed.",
+         "Example:\n  vdamf_regression --fast --compare before/regression.csv\n"
+         "Exit codes: 0 done; 1 a run failed or left its bounds; 2 bad command line.",
+         [&](CLI::App& app) { declare(app, cli); }, prepare, [&] { return run(cli, plan); }});
 }

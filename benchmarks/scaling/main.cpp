@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Where the tracker's time goes, on recorded drives and on planes full of cars: how it grows with
 // the number of targets, and what threads gain.
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
 #include <thread>
 
+#include "program.h"
 #include "scaling/recorded_frames.h"
 #include "scaling/stress_scene.h"
 #include "scaling/tables.h"
-#include "vdamf/files/output_file.h"
+#include "vdamf/files/text_file.h"
 
 namespace
 {
@@ -41,7 +41,6 @@ void declare(CLI::App& app, Cli& cli)
         ->capture_default_str();
     app.add_option("--data", cli.data, "folder with unpacked KITTI raw drives");
     app.add_option("--out", cli.out, "folder for scaling.csv and scaling.svg");
-    app.footer("Example:\n  vdamf_benchmark_scaling --targets 50,500 --out scaling");
 }
 
 TrackerOptions withThreads(int threads)
@@ -72,13 +71,6 @@ TimedRun timedScene(int targets, int frames, int threads)
             timedSequence([&](int k) { return scene.frame(k); }, frames, kWarmUp, options)};
 }
 
-void writeFile(const fs::path& path, const std::string& content)
-{
-    OutputFile file(path, OutputFile::Existing::Overwrite, OutputFile::Unfinished::Discard);
-    file.write(content);
-    file.commit();
-}
-
 int run(const Cli& cli)
 {
     std::vector<int> threads;
@@ -95,27 +87,21 @@ int run(const Cli& cli)
         for (const int n : threads)
             if (targets > 0) runs.push_back(timedScene(targets, cli.frames, n));
     std::printf("%s", stageTable(runs).c_str());
-    if (cli.out.empty()) return 0;
+    if (cli.out.empty()) return kDone;
     fs::create_directories(cli.out);
-    writeFile(fs::path(cli.out) / "scaling.csv", timesCsv(runs));
-    writeFile(fs::path(cli.out) / "scaling.svg", scalingSvg(runs));
-    return 0;
+    writeTextFile(fs::path(cli.out) / "scaling.csv", timesCsv(runs));
+    writeTextFile(fs::path(cli.out) / "scaling.svg", scalingSvg(runs));
+    return kDone;
 }
 }  // namespace
 
 int main(int argc, char** argv)
 {
-    CLI::App app("Time of the tracker, stage by stage, on recorded drives and on many targets.");
     Cli cli;
-    declare(app, cli);
-    CLI11_PARSE(app, argc, argv);
-    try
-    {
-        return run(cli);
-    }
-    catch (const std::exception& error)
-    {
-        std::fprintf(stderr, "vdamf_benchmark_scaling: %s\n", error.what());
-        return 1;
-    }
+    return runProgram(
+        argc, argv,
+        {"vdamf_benchmark_scaling",
+         "Time of the tracker, stage by stage, on recorded drives and on many targets.",
+         "Example:\n  vdamf_benchmark_scaling --targets 50,500 --out scaling",
+         [&](CLI::App& app) { declare(app, cli); }, nullptr, [&] { return run(cli); }});
 }

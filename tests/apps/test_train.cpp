@@ -8,8 +8,7 @@
 #include <set>
 #include <string>
 
-#include "apps/command_line.h"
-#include "files/temporary_folder.h"
+#include "apps/train_fixture.h"
 #include "vdamf/files/csv.h"
 #include "vdamf/files/text_file.h"
 
@@ -21,32 +20,20 @@ using testing::HasSubstr;
 using testing::Not;
 namespace fs = std::filesystem;
 
-const std::string kStreet = VDAMF_SOURCE_DIR "/datasets/street/";
-
-class Train : public TemporaryFolder
+class Train : public TrainFixture
 {
 protected:
     void makeList(const std::string& more = "") const
     {
-        make("list.ini", "[recording street]\nrawlog = " + kStreet +
-                             "street.rawlog\ntruth = " + kStreet + "truth.csv\n" + more);
+        make("list.ini", "[recording street]\nrawlog = " + kStreetFolder +
+                             "street.rawlog\ntruth = " + kStreetFolder + "truth.csv\n" + more);
     }
-
-    int run(const std::string& app, const std::string& arguments)
-    {
-        const Outcome outcome = runShell("cd '" + at("").string() + "' && '" VDAMF_APPS_DIR "/" +
-                                         app + "' " + arguments);
-        output_ = outcome.output;
-        return outcome.exitCode;
-    }
-
-    std::string output_;
 };
 
 TEST_F(Train, TellsHowAModelWithoutARecordingDoesThere)
 {
-    makeList("[recording again]\nrawlog = " + kStreet + "street.rawlog\ntruth = " + kStreet +
-             "truth.csv\nscene = elsewhere\n");
+    makeList("[recording again]\nrawlog = " + kStreetFolder +
+             "street.rawlog\ntruth = " + kStreetFolder + "truth.csv\nscene = elsewhere\n");
     const std::string command = "classifier list.ini --folds 3 --cost 0.1 -q -o vehicle.txt ";
     ASSERT_EQ(run("vdamf-train", command + "--leave-out elsewhere"), 0) << output_;
     EXPECT_THAT(output_, HasSubstr("Trained without elsewhere, tested on it"));
@@ -80,7 +67,7 @@ TEST_F(Train, MakesAModelThatVdamfTrackTakes)
     fs::create_directories(at("other"));
     fs::rename(at("vehicle.txt"), at("other/vehicle.txt"));
     make("other/config.ini", "[discriminator]\nmodel = vehicle.txt\nmin_probability = 0.9\n");
-    const std::string track = "-i " + kStreet + "street.rawlog --frames 0:20 -q --overwrite ";
+    const std::string track = "-i " + kStreetFolder + "street.rawlog --frames 0:20 -q --overwrite ";
     ASSERT_EQ(run("vdamf-track", track + "-c other/config.ini --tracks t.csv"), 0) << output_;
     CsvReader tracks(at("t.csv"), {"vehicle_probability", "is_vehicle"});
     int vehicles = 0;
@@ -95,9 +82,10 @@ TEST_F(Train, MakesAModelThatVdamfTrackTakes)
 
 TEST_F(Train, WithoutADiscriminatorTracksHaveNoProbability)
 {
-    ASSERT_EQ(run("vdamf-track", "-i " + kStreet + "street.rawlog --frames 0:5 -q --tracks t.csv " +
-                                     "--set discriminator.model=none"),
-              0)
+    ASSERT_EQ(
+        run("vdamf-track", "-i " + kStreetFolder + "street.rawlog --frames 0:5 -q --tracks t.csv " +
+                               "--set discriminator.model=none"),
+        0)
         << output_;
     CsvReader tracks(at("t.csv"), {"vehicle_probability"});
     int rows = 0;
@@ -112,7 +100,7 @@ TEST_F(Train, BadModelsAreRefusedBeforeTheFirstFrame)
     const auto errorWith = [&](const std::string& text)
     {
         make("bad.txt", text);
-        EXPECT_EQ(run("vdamf-track", "-i " + kStreet +
+        EXPECT_EQ(run("vdamf-track", "-i " + kStreetFolder +
                                          "street.rawlog --tracks t.csv "
                                          "--set discriminator.model=bad.txt"),
                   2)
@@ -123,7 +111,7 @@ TEST_F(Train, BadModelsAreRefusedBeforeTheFirstFrame)
     EXPECT_THAT(errorWith(good.substr(0, good.size() / 2)), HasSubstr("bad.txt:"));
     EXPECT_THAT(errorWith("vdamf discriminator 9\n"), HasSubstr("another version"));
     EXPECT_THAT(errorWith(""), HasSubstr("bad.txt:1:"));
-    EXPECT_EQ(run("vdamf-track", "-i " + kStreet +
+    EXPECT_EQ(run("vdamf-track", "-i " + kStreetFolder +
                                      "street.rawlog --tracks t.csv "
                                      "--set discriminator.model=missing.txt"),
               2);
@@ -153,16 +141,18 @@ TEST_F(Train, NeedsEnoughGroups)
     EXPECT_EQ(run("vdamf-train", "classifier list.ini -q -o m.txt"), 1);
     EXPECT_THAT(output_, HasSubstr("groups"));
     EXPECT_FALSE(fs::exists(at("m.txt")));
-    make("list.ini", "[recording a]\nrawlog = missing.rawlog\ntruth = " + kStreet + "truth.csv\n");
+    make("list.ini",
+         "[recording a]\nrawlog = missing.rawlog\ntruth = " + kStreetFolder + "truth.csv\n");
     EXPECT_EQ(run("vdamf-train", "classifier list.ini -q -o m.txt"), 1);
     EXPECT_THAT(output_, HasSubstr("missing.rawlog"));
 }
 
 TEST_F(Train, RefusesARawlogThatEndsEarly)
 {
-    const std::string rawlog = readTextFile(kStreet + "street.rawlog");
+    const std::string rawlog = readTextFile(kStreetFolder + "street.rawlog");
     make("cut.rawlog", rawlog.substr(0, rawlog.size() / 20));
-    make("list.ini", "[recording cut]\nrawlog = cut.rawlog\ntruth = " + kStreet + "truth.csv\n");
+    make("list.ini",
+         "[recording cut]\nrawlog = cut.rawlog\ntruth = " + kStreetFolder + "truth.csv\n");
     for (const std::string what : {"classifier", "filter"})
     {
         EXPECT_EQ(run("vdamf-train", what + " list.ini -q -o m.txt"), 1);
@@ -184,10 +174,10 @@ TEST_F(Train, WhatCannotBeReadOrWrittenIsToldBeforeTheWork)
         return output_;
     };
     const std::string second =
-        "[recording second]\nrawlog = " + kStreet + "street.rawlog\ntruth = ";
+        "[recording second]\nrawlog = " + kStreetFolder + "street.rawlog\ntruth = ";
     EXPECT_THAT(errorOf(second + "none.csv\n"), HasSubstr("recording second: "));
     EXPECT_THAT(output_, HasSubstr("none.csv: cannot read"));
-    const std::string truth = readTextFile(kStreet + "truth.csv");
+    const std::string truth = readTextFile(kStreetFolder + "truth.csv");
     make("empty.csv", truth.substr(0, truth.find('\n') + 1));
     EXPECT_THAT(errorOf(second + "empty.csv\n"), HasSubstr("empty.csv: has no rows"));
     make("held.csv", "mine");

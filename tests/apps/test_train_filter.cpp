@@ -8,8 +8,7 @@
 #include <set>
 #include <string>
 
-#include "apps/command_line.h"
-#include "files/temporary_folder.h"
+#include "apps/train_fixture.h"
 #include "vdamf/files/csv.h"
 #include "vdamf/files/text_file.h"
 
@@ -20,21 +19,10 @@ namespace
 using testing::HasSubstr;
 namespace fs = std::filesystem;
 
-const std::string kStreet = VDAMF_SOURCE_DIR "/datasets/street/";
 const std::string kFew = " --global 2 --local 2 -q";
 
-class TrainFilterApp : public TemporaryFolder
+class TrainFilterApp : public TrainFixture
 {
-protected:
-    int run(const std::string& app, const std::string& arguments)
-    {
-        const Outcome outcome = runShell("cd '" + at("").string() + "' && '" VDAMF_APPS_DIR "/" +
-                                         app + "' " + arguments);
-        output_ = outcome.output;
-        return outcome.exitCode;
-    }
-
-    std::string output_;
 };
 
 TEST_F(TrainFilterApp, MakesAFilterThatVdamfTrackTakes)
@@ -43,7 +31,8 @@ TEST_F(TrainFilterApp, MakesAFilterThatVdamfTrackTakes)
          "[simulated cars]\nkind = car\nclusters = 8\n"
          "[simulated other]\nkind = van\nclusters = 5\nseed = 2\nuse = test\n"
          "[recording street]\nrawlog = " +
-             kStreet + "street.rawlog\ntruth = " + kStreet + "truth.csv\nmost_clusters = 20\n");
+             kStreetFolder + "street.rawlog\ntruth = " + kStreetFolder +
+             "truth.csv\nmost_clusters = 20\n");
     const std::string command = "filter sources.ini -o filter.txt --folds 2 --held-out held.csv";
     ASSERT_EQ(run("vdamf-train", command + kFew), 0) << output_;
     EXPECT_THAT(output_, HasSubstr("Cross-validation"));
@@ -65,7 +54,7 @@ TEST_F(TrainFilterApp, MakesAFilterThatVdamfTrackTakes)
     EXPECT_EQ(readTextFile(at("filter.txt")), filter);
 
     make("config.ini", "[measurement]\nfilter_file = filter.txt\n");
-    const std::string track = "-i " + kStreet + "street.rawlog --frames 0:10 -q --overwrite ";
+    const std::string track = "-i " + kStreetFolder + "street.rawlog --frames 0:10 -q --overwrite ";
     ASSERT_EQ(run("vdamf-track", track + "-c config.ini --tracks t.csv"), 0) << output_;
     make("filter.txt", filter.substr(0, filter.size() / 2));
     EXPECT_EQ(run("vdamf-track", track + "-c config.ini --tracks u.csv"), 2);

@@ -11,7 +11,6 @@
 
 #include "vdamf/evaluation/evaluation_json.h"
 #include "vdamf/experiments/digest.h"
-#include "vdamf/files/output_file.h"
 #include "vdamf/files/text_file.h"
 
 namespace vdamf
@@ -22,20 +21,13 @@ namespace fs = std::filesystem;
 
 constexpr const char* kFailureFile = "failure.txt";
 
-void writeFile(const fs::path& path, const std::string& content)
-{
-    OutputFile file(path, OutputFile::Existing::Overwrite, OutputFile::Unfinished::Discard);
-    file.write(content);
-    file.commit();
-}
-
 TrackRawlogSummary track(const RunTask& task, const fs::path& taskFolder, const fs::path& folder)
 {
     TrackRawlogJob job;
     job.input = task.rawlog;
     job.tracks = folder / "tracks.csv";
     job.version = task.version;
-    job.configuration = readConfiguration(IniDocument::load(taskFolder / "config.ini"));
+    job.configuration = loadConfiguration(taskFolder / "config.ini");
     job.firstFrame = static_cast<std::uint64_t>(task.frames.first);
     if (task.frames.last > 0) job.lastFrame = static_cast<std::uint64_t>(task.frames.last);
     const std::atomic<bool> never{false};
@@ -50,7 +42,7 @@ void score(const RunTask& task, const fs::path& folder)
 {
     const Evaluation evaluation =
         evaluate(readTruth(task.truth), readTracks(folder / "tracks.csv"), task.score.options());
-    writeFile(folder / "metrics.json", toJson(evaluation));
+    writeTextFile(folder / "metrics.json", toJson(evaluation));
 }
 
 std::string timesJson(const TrackRawlogSummary& summary, double seconds)
@@ -88,9 +80,9 @@ void runTask(const fs::path& folder, const TaskReport& tell)
     fs::create_directory(work);
     const TrackRawlogSummary summary = track(task, folder, work);
     score(task, work);
-    writeFile(work / "config.ini", task.configuration);
+    writeTextFile(work / "config.ini", task.configuration);
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
-    writeFile(work / "times.json", timesJson(summary, passed.count()));
+    writeTextFile(work / "times.json", timesJson(summary, passed.count()));
     tell(summary, task);
     std::fflush(nullptr);
     if (fs::exists(folder / kLogFile)) fs::copy_file(folder / kLogFile, work / kLogFile);
@@ -115,8 +107,8 @@ void writeTask(const RunTask& task, const fs::path& folder)
     IniWriter writer;
     writer.write("task", "One run of a sweep", task);
     fs::create_directories(folder);
-    writeFile(folder / "config.ini", task.configuration);
-    writeFile(folder / "task.ini", writer.text());
+    writeTextFile(folder / "config.ini", task.configuration);
+    writeTextFile(folder / "task.ini", writer.text());
 }
 
 RunTask readTask(const fs::path& folder)
@@ -152,7 +144,7 @@ void performTask(const fs::path& folder, const TaskReport& tell)
     }
     catch (const std::exception& error)
     {
-        writeFile(folder / kFailureFile, error.what());
+        writeTextFile(folder / kFailureFile, error.what());
         throw;
     }
 }

@@ -8,7 +8,6 @@
 #include "vdamf/experiments/digest.h"
 #include "vdamf/experiments/process.h"
 #include "vdamf/files/numbers.h"
-#include "vdamf/files/output_file.h"
 #include "vdamf/files/text_file.h"
 
 namespace vdamf
@@ -25,13 +24,6 @@ constexpr const char* kScript =
     "[ -n \"$task\" ] && [ -d \"$task\" ] || exit 0  # done by an earlier attempt\n"
     "exec \"$@\" \"$task\" > \"$task/log.txt\" 2>&1\n";
 
-void writeFile(const fs::path& path, const std::string& content)
-{
-    OutputFile file(path, OutputFile::Existing::Overwrite, OutputFile::Unfinished::Discard);
-    file.write(content);
-    file.commit();
-}
-
 std::vector<std::string> linesOf(const fs::path& list)
 {
     std::error_code ignored;
@@ -46,7 +38,7 @@ SlurmQueue::SlurmQueue(WorkerCommand worker, SlurmOptions options, fs::path fold
       name_("vdamf-sweep-" + digestOf(folder_.string()).substr(0, 12))
 {
     fs::create_directories(folder_);
-    writeFile(folder_ / "task.sh", kScript);
+    writeTextFile(folder_ / "task.sh", kScript);
 }
 
 bool SlurmQueue::call(const std::vector<std::string>& command)
@@ -93,7 +85,7 @@ bool SlurmQueue::submitArray(const std::vector<fs::path>& tasks)
     std::string lines;
     for (const fs::path& task : tasks) lines += task.string() + "\n";
     const fs::path list = nextList();
-    writeFile(list, lines);
+    writeTextFile(list, lines);
     if (call(sbatchCommand(list, tasks.size()))) return true;
     const std::string refusal = message_;
     fs::remove(list);

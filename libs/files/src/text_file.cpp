@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "vdamf/files/output_file.h"
+
 namespace vdamf
 {
 std::string readTextFile(const std::filesystem::path& path, std::size_t maxBytes)
@@ -39,6 +41,13 @@ std::string readTextFile(const std::filesystem::path& path, std::size_t maxBytes
                                  ": cannot read: " + std::system_category().message(errno));
     }
     return bytes;
+}
+
+void writeTextFile(const std::filesystem::path& path, std::string_view text)
+{
+    OutputFile file(path, OutputFile::Existing::Overwrite, OutputFile::Unfinished::Discard);
+    file.write(text);
+    file.commit();
 }
 
 std::string inQuotes(std::string_view text)

@@ -54,6 +54,15 @@ Configuration readConfiguration(const IniDocument& document)
     return c;
 }
 
+Configuration loadConfiguration(const std::filesystem::path& file,
+                                const std::vector<std::string>& assignments)
+{
+    IniDocument document =
+        file.empty() ? IniDocument::parse("", "built-in configuration") : IniDocument::load(file);
+    for (const std::string& assignment : assignments) document.set(assignment);
+    return readConfiguration(document);
+}
+
 std::string toIni(const Configuration& c)
 {
     IniWriter writer;

@@ -220,9 +220,10 @@ TEST(GrownToAVehicle, LengthFollowsTheWidthOfTheEndAndTheRearStays)
     half.width = 1.7;
     const Measurement rear = measured({20.0, 0.0, 0.0, 1.2, 1.75}, faces({Face::Back}));
     const VehicleState grown = grownToAVehicle(half, rear, 1.5, SizesTold(), o);
-    EXPECT_NEAR(grown.mean(kLength), o.carLength, 1e-9);
+    const double length = carLength(1.5, 1.7, o).metres;
+    EXPECT_NEAR(grown.mean(kLength), length, 1e-9);
     EXPECT_NEAR(grown.mean(kX) - 0.5 * grown.mean(kLength), 20.0 - 0.6, 1e-9);
-    EXPECT_NEAR(grown.mean(kAxis) - half.mean(kAxis), 0.5 * (o.carLength - 1.2), 1e-9);
+    EXPECT_NEAR(grown.mean(kAxis) - half.mean(kAxis), 0.5 * (length - 1.2), 1e-9);
     EXPECT_EQ(grown.mean(kSpeed), 8.0);
     EXPECT_GT(grown.covariance(kLength, kLength), 0.9 * o.carLengthSigma * o.carLengthSigma);
 
@@ -266,6 +267,24 @@ TEST(GrownToAVehicle, WidthFollowsTheLengthOfTheSideAndTheSideStays)
 }
 
 // Another car hides the left part of the end, but more of it is seen than was known.
+TEST(FaceErrors, OfEndsThatAreBothHiddenCountWhereHitsReachBeyondThem)
+{
+    const VisibilityOptions o;
+    // A row along the left side from x = 9 to 12.
+    Measurement row = measured({10.5, 0.0, 0.0, 3.0, 1.8}, faces({Face::Left}));
+    row.hiddenEnds = faces({Face::Front, Face::Back});
+    const FaceErrors inside = faceErrors(row, known({10.0, 0.0, 0.0, 4.5, 1.8}, 0.4), o);
+    EXPECT_FALSE(inside.tells(0, 0));
+    EXPECT_FALSE(inside.tells(0, 1));
+    // The front expected at 11.25.
+    const FaceErrors ahead = faceErrors(row, known({9.0, 0.0, 0.0, 4.5, 1.8}, 0.4), o);
+    EXPECT_FALSE(ahead.tells(0, 0));
+    EXPECT_EQ(ahead.sigma[0][1], o.shortfallSigma);
+    const FaceErrors behind = faceErrors(row, known({13.0, 0.0, 0.0, 4.5, 1.8}, 0.4), o);
+    EXPECT_EQ(behind.sigma[0][0], o.shortfallSigma);
+    EXPECT_FALSE(behind.tells(0, 1));
+}
+
 TEST(FaceErrors, OfAHiddenEndCountWhereHitsReachBeyondIt)
 {
     const VisibilityOptions o;

@@ -2,6 +2,7 @@
 // Tracks are confirmed once it is clear which way their boxes lie, and anew where that changes.
 #include <gtest/gtest.h>
 
+#include "tracker/existence.h"
 #include "tracker/sighting.h"
 #include "tracker/track.h"
 
@@ -34,7 +35,9 @@ protected:
             track_ = predictedTrack(std::move(track_), 0.1, {0.0, 0.0}, filter_, options_.motion);
         track_ =
             sighting.time > 0.0
-                ? sightedTrack(std::move(track_), sighting, 0.0, filter_, options_)
+                ? withConfirmation(
+                      sightedTrack(std::move(track_), sighting, 0.0, filter_, options_),
+                      options_.lifecycle)
                 : startedTrack(1, sighting, {0.0, options_.lifecycle.startSpeedSigma}, options_);
     }
 

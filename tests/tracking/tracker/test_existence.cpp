@@ -104,6 +104,19 @@ TEST(Existence, HiddenOnesCoastAsLongAsTheyMay)
     EXPECT_NEAR(0.1 * track.misses, options.maxCoast, 0.11);
 }
 
+TEST(Existence, HiddenOnesEndOnceTheyMayBeALaneOff)
+{
+    const RangeProfile wall = profileWith(kPi, 9.0F);
+    const auto statusWith = [&](double sigma)
+    {
+        Track track = carAhead(sigma);
+        track.state.covariance(kX, kX) = sigma * sigma;
+        return withMiss(track, {0.1, {0.0, 0.0}, wall, FieldOfView(groundAround())}, {}).status;
+    };
+    EXPECT_EQ(statusWith(2.9), TrackStatus::Coasting);
+    EXPECT_EQ(statusWith(3.1), TrackStatus::Ended);
+}
+
 TEST(Existence, WhatMayHaveStoppedBehindAWallIsHidden)
 {
     const RangeProfile half = profileWith(1.0, 9.0F);
@@ -121,7 +134,7 @@ TEST(Existence, HitsMakeATrackLastLonger)
     {
         Track track = carAhead(0.1);
         track.existence = 0.5;
-        for (int k = 0; k < hits; ++k) track = withHit(track, {});
+        for (int k = 0; k < hits; ++k) track = withHit(track, 0.0, {});
         EXPECT_LE(track.existence, 0.99);
         while (track.status != TrackStatus::Ended)
             track = withMiss(track, {0.0, {0.0, 0.0}, open, FieldOfView(groundAround())}, {});

@@ -70,6 +70,25 @@ TEST(PartialFaces, AWholeFaceTellsItAsMeasured)
     EXPECT_EQ(withTurnOfPieces(withSide).covariance, withSide.measurement.covariance);
 }
 
+TEST(PartialFaces, BetweenHiddenEndsTheBoxIsAsLongAsTheRow)
+{
+    Sighting side = rearSeen(0.0);
+    Measurement& m = side.measurement;
+    m.box.heading = 0.5 * kPi;
+    m.facesSeen = FaceSet();
+    m.facesSeen.add(Face::Left);
+    m.hiddenEnds.add(Face::Front);
+    m.hiddenEnds.add(Face::Back);
+    side.side = {2.0, 30.0, -0.7};
+    const OrientedBox box = withRowsBetweenHiddenEnds(side).box;
+    EXPECT_NEAR(box.x, m.box.x, 1e-12);
+    EXPECT_NEAR(box.y, m.box.y - 0.7, 1e-12);
+    EXPECT_EQ(box.length, 2.0);
+    EXPECT_EQ(box.width, m.box.width);
+    m.hiddenEnds.remove(Face::Back);
+    EXPECT_EQ(withRowsBetweenHiddenEnds(side).box.length, m.box.length);
+}
+
 TEST(PartialFaces, HitsAboveTheBumperMayLieBehindTheEnd)
 {
     const Sighting rear = rearSeen(1.8);
@@ -79,6 +98,47 @@ TEST(PartialFaces, HitsAboveTheBumperMayLieBehindTheEnd)
     const Measurement high = withRecessOfEnd(rear, hitsOnRear(1.05));
     EXPECT_NEAR(varianceAt(high, 20.0, 0.0) - varianceAt(seen, 20.0, 0.0), 0.16, 0.01);
     EXPECT_NEAR(varianceAt(high, 24.5, 0.0), varianceAt(seen, 24.5, 0.0), 0.01);
+}
+
+// Of a rear half hidden by what is nearer the roof shows, and at the corner all of the side.
+HitsAtOneTime roofAndCorner(double lowestOfRear)
+{
+    Cluster hits = *hitsOnRear(lowestOfRear).each;
+    for (int k = 0; k < 8; ++k)
+    {
+        hits.x.push_back(20.02F + 0.03F * static_cast<float>(k));
+        hits.y.push_back(0.85F);
+        hits.height.push_back(0.4F);
+    }
+    HitsAtOneTime seen;
+    seen.hits = projectHits(hits, 0.0);
+    seen.each = std::move(hits);
+    return seen;
+}
+
+TEST(PartialFaces, LowHitsAtTheCornerAreTheSides)
+{
+    Sighting rear = rearSeen(1.8);
+    const HitsAtOneTime seen = roofAndCorner(0.95);
+    // All of them could be the rear's,
+    EXPECT_EQ(withRecessOfEnd(rear, seen).covariance, rear.measurement.covariance);
+    // but not where the side is seen as well;
+    rear.measurement.facesSeen.add(Face::Left);
+    const Measurement m = withRecessOfEnd(rear, seen);
+    EXPECT_GT(varianceAt(m, 20.0, 0.0), varianceAt(rear.measurement, 20.0, 0.0) + 0.05);
+    // of a short row at the corner nothing tells whose it is.
+    rear.end.metres = 0.5;
+    EXPECT_EQ(withRecessOfEnd(rear, seen).covariance, rear.measurement.covariance);
+}
+
+TEST(PartialFaces, TheEdgeOfWhatHidesARoofIsNoEnd)
+{
+    Sighting rear = rearSeen(1.8);
+    rear.measurement.facesSeen.add(Face::Left);
+    const Measurement m = withRecessOfEnd(rear, roofAndCorner(1.3));
+    EXPECT_FALSE(m.facesSeen.seesEnd());
+    EXPECT_TRUE(m.facesSeen.has(Face::Left));
+    EXPECT_TRUE(m.hiddenEnds.has(Face::Back));
 }
 
 TEST(PartialFaces, WithoutHeightsNothingIsKnownOfTheBumper)

@@ -6,103 +6,21 @@
 #include <optional>
 
 #include "estimation/by_size.h"
+#include "vdamf/tracking/estimation/assumed_size.h"
 
 namespace vdamf
 {
 namespace
 {
-constexpr double kCarEnd = 1.3;  // m, the narrowest
-// Hits tell widths to a decimetre or two: what is higher than any car may be narrower.
-constexpr double kTallest = 2.5;  // m
-
-double widestCar(double height)
-{
-    return height > kTallest ? 2.1 : 2.3;  // m
-}
-
-// The end of a truck or bus alone tells little of its length. What is as wide and low is none: the
-// part of a side, or no vehicle.
-constexpr double kTruckHeight = 2.0;  // m
-constexpr double kWidestTruck = 2.8;  // m
-constexpr double kTruckLength = 9.0;
-constexpr double kTruckLengthSigma = 2.0;
-constexpr double kCarSide = 3.0;   // m, the shortest: longer than a motorcycle
-constexpr double kLongSide = 5.5;  // m, of vans, trucks and buses
-
-struct Assumed
-{
-    double metres = 0.0;
-    double sigma = 0.0;
-};
-constexpr Assumed kLargeWidth{2.1, 0.3};
-
 // Of a new vehicle's path, 1/m: as tight as at a slow turn, and no tighter than this acceleration
 // across (m/s^2) lets it be.
 constexpr double kCurvatureSigma = 0.05;
 constexpr double kAcrossSigma = 2.0;
 
-// Vans are higher, longer and wider than cars: by the height over that of a car, m per m, of the
-// labelled vehicles of KITTI and Argoverse 2 (255 below 2.5 m).
-constexpr double kCarHeight = 1.5;   // m
-constexpr double kHighestVan = 3.0;  // m
-constexpr Assumed kLonger{0.7, 0.6};
-constexpr Assumed kWider{0.3, 0.1};
-
-Assumed grownBy(const Assumed& size, const Assumed& perMetre, double height)
-{
-    const double more = std::clamp(height, kCarHeight, kHighestVan) - kCarHeight;
-    return {size.metres + perMetre.metres * more, std::hypot(size.sigma, perMetre.sigma * more)};
-}
-
-Assumed carLength(double height, const VisibilityOptions& o)
-{
-    return grownBy({o.carLength, o.carLengthSigma}, kLonger, height);
-}
-
-Assumed carWidth(double height, const VisibilityOptions& o)
-{
-    return grownBy({o.carWidth, o.carWidthSigma}, kWider, height);
-}
-
-// Of the vehicle behind an end of that width and height (m).
-std::optional<Assumed> lengthBehind(double width, double height, const VisibilityOptions& o)
-{
-    if (width < kCarEnd || width > kWidestTruck) return std::nullopt;
-    if (width < widestCar(height)) return carLength(height, o);
-    if (height < kTruckHeight) return std::nullopt;
-    return Assumed{kTruckLength, kTruckLengthSigma};
-}
-
-// Of the vehicle behind a side of that length and height (m).
-std::optional<Assumed> widthBehind(double length, double height, const VisibilityOptions& o)
-{
-    if (length < kCarSide) return std::nullopt;
-    return length < kLongSide ? carWidth(height, o) : kLargeWidth;
-}
-
-constexpr double kPiece = 0.9;  // m, of an end of which something hides the rest
-
-bool isPieceOfACarsEnd(const Measurement& m, double height)
-{
-    return m.facesSeen.seesEnd() && !locatesWidth(m) && m.box.width > kPiece &&
-           m.box.width < widestCar(height);
-}
-
 // Which side of an end nothing hides: 1 the left one, -1 the right one, 0 both or none.
 double notHidden(const Measurement& m)
 {
     return m.hiddenEnds.has(Face::Right) - m.hiddenEnds.has(Face::Left);
-}
-
-// Ends and sides that could be a car's, or the part of one that is not hidden; what is not seen
-// could be anything.
-bool couldBeACar(const Measurement& m, double height)
-{
-    const bool lengthFits = !m.facesSeen.seesSide() || m.box.length < kLongSide;
-    const bool widthFits = !m.facesSeen.seesEnd() || m.box.width < widestCar(height);
-    const bool carEnd = m.facesSeen.seesEnd() && m.box.width > (locatesWidth(m) ? kCarEnd : kPiece);
-    const bool carSide = m.facesSeen.seesSide() && m.box.length > (locatesLength(m) ? 2.1 : 1.2);
-    return lengthFits && widthFits && (carEnd || carSide);
 }
 
 BoxMeasurement withSizes(const Measurement& m, double height, const Eigen::Vector2d& sensor,
@@ -112,28 +30,14 @@ BoxMeasurement withSizes(const Measurement& m, double height, const Eigen::Vecto
     // What is seen is a part of something that is longer than wide.
     constexpr double kLongerThanWide = 3.0;
     Eigen::Vector2d sigma(kLongerThanWide * o.unseenSigma, o.unseenSigma);
-    if (o.assumeVehicleSize && couldBeACar(m, height))
-    {
-        const Assumed length = carLength(height, o);
-        const Assumed width = carWidth(height, o);
-        known = {length.metres, width.metres};
-        sigma = {length.sigma, width.sigma};
-    }
-    else if (o.assumeVehicleSize && m.facesSeen.seesSide() && !m.facesSeen.seesEnd() &&
-             m.box.length > kLongSide)
-    {
-        known.y() = kLargeWidth.metres;
-        sigma.y() = kLargeWidth.sigma;
-    }
-    else if (o.assumeVehicleSize && m.facesSeen.seesEnd() && !m.facesSeen.seesSide() &&
-             m.box.width > widestCar(height))
-    {
-        if (const auto behind = lengthBehind(m.box.width, height, o))
+    const AssumedSizes assumed = assumedSizes(m, height, o);
+    const std::optional<AssumedSize> sizes[2] = {assumed.length, assumed.width};
+    for (int axis = 0; axis < 2; ++axis)
+        if (sizes[axis])
         {
-            known.x() = behind->metres;
-            sigma.x() = behind->sigma;
+            known(axis) = sizes[axis]->metres;
+            sigma(axis) = sizes[axis]->sigma;
         }
-    }
     FaceErrors errors = faceErrors(m, o);
     for (int axis = 0; axis < 2; ++axis)
         // The hits are somewhere on it.
@@ -147,7 +51,7 @@ BoxMeasurement withSizes(const Measurement& m, double height, const Eigen::Vecto
 // With the length (axis 0) or width (1) of a vehicle where it is clearly smaller; the end at
 // `fixed` stays.
 VehicleState grownTo(const VehicleState& state, int axis, double fixed,
-                     const std::optional<Assumed>& size)
+                     const std::optional<AssumedSize>& size)
 {
     if (!size || size->metres - state.size()(axis) < size->sigma) return state;
     const StateVector change = bySize(state, axis, fixed);
@@ -177,19 +81,33 @@ VehicleState grownToAVehicle(const VehicleState& predicted, const Measurement& m
         const double seen = m.facesSeen.has(Face::Back) ? -1.0 : 1.0;
         if (!told.width && isPieceOfACarsEnd(m, height))
             return grownTo(grownTo(predicted, 1, notHidden(m), carWidth(height, o)), 0, seen,
-                           carLength(height, o));
+                           carLength(height, std::nullopt, o));
         // No truck by hits beyond an end of which not all was ever seen.
         const double width = std::min(m.box.width, predicted.width);
-        if (width < widestCar(height) || told.width || locatesWidth(m))
+        if (isCarsEnd(width, height) || told.width || locatesWidth(m))
             return grownTo(predicted, 0, seen, lengthBehind(width, height, o));
     }
     // No vehicle is as long and narrow: of that end a part is seen.
-    const bool isNarrow = told.width && predicted.width < kCarEnd;
-    const bool showsWidth = locatesWidth(m) && m.box.width >= kCarEnd;
+    const bool isNarrow = told.width && predicted.width < kNarrowestCar;
+    const bool showsWidth = locatesWidth(m) && m.box.width >= kNarrowestCar;
     if ((!told.width || isNarrow) && locatesLength(m) && !showsWidth)
         return grownTo(predicted, 1, m.facesSeen.has(Face::Right) ? -1.0 : 1.0,
                        widthBehind(std::min(m.box.length, predicted.mean(kLength)), height, o));
     return predicted;
+}
+
+VehicleState withLengthAssumed(const VehicleState& state, const AssumedSize& before,
+                               const AssumedSize& now, double seen)
+{
+    const StateVector change = bySize(state, 0, seen);
+    // As far as the length is still the one assumed.
+    const double share =
+        std::min(1.0, state.covariance(kLength, kLength) / std::pow(before.sigma, 2));
+    const double vaguer = std::max(0.0, std::pow(now.sigma, 2) - std::pow(before.sigma, 2));
+    VehicleState next = state;
+    next.mean += share * (now.metres - before.metres) * change;
+    next.covariance += share * share * vaguer * change * change.transpose();
+    return next;
 }
 
 VehicleState withUsualCurvature(const VehicleState& state)

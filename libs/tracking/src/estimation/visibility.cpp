@@ -48,14 +48,15 @@ SizeChange sizeChange(const Measurement& m, const VehicleState& predicted, int a
     return {change, change / std::sqrt(variance)};
 }
 
-// Whether hits lie beyond an end whose place is hidden: it is there at the least.
+// Whether hits lie beyond an end whose place is hidden: it is there at the least. Where the other
+// end is told, they do so only if they make the whole longer.
 bool reachesBeyond(const Measurement& m, const VehicleState& predicted, int axis, int end,
-                   const VisibilityOptions& o)
+                   bool otherIsTold, const VisibilityOptions& o)
 {
     const Face face = kFaceAt[axis][end];
-    const double measured = axis == 0 ? m.box.length : m.box.width;
+    const double growth = (axis == 0 ? m.box.length : m.box.width) - predicted.size()(axis);
     return m.facesSeen.seesAlong(axis) && m.hiddenEnds.has(face) && !m.facesSeen.has(face) &&
-           measured - predicted.size()(axis) > o.sizeSigma &&
+           (!otherIsTold || growth > o.sizeSigma) &&
            outside(m.box, predicted.box(), axis, end) > o.sizeSigma;
 }
 
@@ -106,8 +107,9 @@ FaceErrors faceErrors(const Measurement& m, const VehicleState& predicted,
     FaceErrors errors = faceErrors(m, o);
     for (int axis = 0; axis < 2; ++axis)
     {
+        const bool told[2] = {errors.tells(axis, 0), errors.tells(axis, 1)};
         for (int end = 0; end < 2; ++end)
-            if (errors.tells(axis, 1 - end) && reachesBeyond(m, predicted, axis, end, o))
+            if (reachesBeyond(m, predicted, axis, end, told[1 - end], o))
                 errors.sigma[axis][end] = o.shortfallSigma;
         if (!errors.tells(axis, 0) || !errors.tells(axis, 1)) continue;
         const SizeChange change = sizeChange(m, predicted, axis, o);

@@ -13,7 +13,7 @@ namespace
 constexpr double kFalseHits = 0.35;  // probability that something else has hits there
 constexpr double kSurest = 0.99;     // no row of hits is more: vehicles do leave
 constexpr double kSlack = 0.5;       // m before and behind a box that count as in it
-constexpr double kVaguest = 4.0;     // m, about: more than a lane
+constexpr double kVaguest = 3.0;     // m, of its position: about a lane
 
 double oddsOf(double probability)
 {
@@ -85,10 +85,27 @@ double shareSeenThrough(const Track& track, const OpenView& view)
     return least;
 }
 
-Track withHit(Track track, const LifecycleOptions& options)
+Track withHit(Track track, double time, const LifecycleOptions& options)
 {
+    ++track.sightings;
+    track.misses = 0;
+    track.lastSeen = time;
     const double odds = oddsOf(track.existence) * options.hitProbability / kFalseHits;
     track.existence = std::min(kSurest, probabilityOf(odds));
+    return track;
+}
+
+Track withConfirmation(Track track, const LifecycleOptions& options)
+{
+    // What may still be across is waited for, but not for long: two-wheelers never tell.
+    constexpr int kPatience = 4;  // sightings
+    const int sightings = track.sightings - track.startedAt + 1;
+    const double speedSigma = std::sqrt(track.state.covariance(kSpeed, kSpeed));
+    const bool isVague = track.front.axesProbability() < options.confirmAxes ||
+                         speedSigma > options.confirmSpeedSigma;
+    const int enough = options.confirmHits + (isVague ? kPatience : 0);
+    if (track.status == TrackStatus::Coasting || sightings >= enough)
+        track.status = TrackStatus::Confirmed;
     return track;
 }
 

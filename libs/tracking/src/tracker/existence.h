@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Is a track's object still there? Hits speak for it, their lack against it as far as it is in
-// view.
+// Is a track's object there? Hits speak for it, their lack against it as far as it is in view.
 #pragma once
 
 #include "tracker/field_of_view.h"
@@ -26,8 +25,11 @@ double shareSeenThrough(const OrientedBox& box, const OpenView& view);
 /// either side along the axis that is known least: what may have stopped behind a wall is hidden.
 double shareSeenThrough(const Track& track, const OpenView& view);
 
-/// The track after a frame with hits of it.
-Track withHit(Track track, const LifecycleOptions& options);
+/// The track after a frame of that time (s) with hits of it, whatever they told.
+Track withHit(Track track, double time, const LifecycleOptions& options);
+
+/// The track, confirmed once it was seen often enough for what is known of its axes and speed.
+Track withConfirmation(Track track, const LifecycleOptions& options);
 
 /// The track after a frame without. It coasts, or ends: once it is likely not to be
 /// there, was not seen for too long, or may be so far off that nothing tells it from a new one.

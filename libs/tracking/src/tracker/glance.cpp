@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "tracker/existence.h"
+
 namespace vdamf
 {
 namespace
@@ -34,7 +36,7 @@ Track glancedTrack(Track track, const SegmentedFrame& frame,
     double weight = 0.0;
     for (const std::size_t k : clusters) weight += frame.hits[k].totalWeight;
     track.hits = static_cast<int>(std::lround(weight));
-    return withConfirmation(stillThere(std::move(track), frame.time, options), options);
+    return withHit(std::move(track), frame.time, options);
 }
 
 }  // namespace vdamf

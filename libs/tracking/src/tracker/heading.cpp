@@ -164,6 +164,7 @@ Track quarterTurned(const Track& track, const Sighting& sighting, int quarters,
     next.state = fresh.state;
     next.measurement = fresh.measurement;
     next.around = fresh.around;
+    next.assumedLength = fresh.assumedLength;
     *next.hypotheses = hypothesesFrom(next.state, options.motion);
     next.startedAt = track.sightings;
     if (!course) next.status = TrackStatus::Tentative;

@@ -8,6 +8,7 @@
 
 #include "types/box_changes.h"
 #include "vdamf/tracking/estimation/occlusion.h"
+#include "vdamf/tracking/estimation/visibility.h"
 
 namespace vdamf
 {
@@ -15,28 +16,41 @@ namespace
 {
 constexpr double kDepth = 0.1;        // m, by which a piece of a body departs from a plane
 constexpr double kLeastRow = 0.3;     // m
+constexpr double kLongRow = 0.9;      // m
 constexpr double kBumper = 0.65;      // m above ground
 constexpr double kSlope = 1.0;        // m behind the end per m above the bumper
+constexpr double kRoof = 0.5;         // m above the bumper, from which on no end begins
 constexpr double kTruckHeight = 2.2;  // m
+constexpr float kFar = 100.0F;        // m: nowhere on a vehicle
 constexpr std::size_t kFew = 3;       // hits that show how low a face is seen
 
-// The height above which all hits along the end seen lie, but for the lowest ones, m.
-double lowestOfEnd(const Measurement& m, const Cluster& hits)
+// The height above which all hits along the end seen lie, but for the lowest ones, m. Where the row
+// of them is long, those at the corner with a side seen tell nothing, as they may be its.
+double lowestOfEnd(const Measurement& m, double row, const Cluster& hits)
 {
     constexpr float kInFront = 0.25F;  // m, of the face
     constexpr float kBehind = 0.45F;   // m
+    constexpr float kCorner = 0.3F;    // m
     const double sign = m.facesSeen.has(Face::Front) ? 1.0 : -1.0;
-    const Eigen::Vector2f outwards = (sign * rotation(m.box.heading).col(0)).cast<float>();
+    const Eigen::Matrix2f axes = rotation(m.box.heading).cast<float>();
+    const Eigen::Vector2f outwards = static_cast<float>(sign) * axes.col(0);
+    const Eigen::Vector2f left = axes.col(1);
     const Eigen::Vector2f centre = m.box.centre().cast<float>();
     const float half = static_cast<float>(0.5 * m.box.length);
+    const float beside = static_cast<float>(0.5 * m.box.width) - kCorner;
+    const bool isLong = row > kLongRow;
+    const float leftmost = isLong && m.facesSeen.has(Face::Left) ? beside : kFar;
+    const float rightmost = isLong && m.facesSeen.has(Face::Right) ? -beside : -kFar;
     std::array<float, kFew> lowest;
     lowest.fill(std::numeric_limits<float>::infinity());
     for (std::size_t i = 0; i < hits.size(); ++i)
     {
         if (hits.height[i] >= lowest.back()) continue;
-        const float behind = half - outwards.x() * (hits.x[i] - centre.x()) -
-                             outwards.y() * (hits.y[i] - centre.y());
+        const Eigen::Vector2f place = Eigen::Vector2f(hits.x[i], hits.y[i]) - centre;
+        const float behind = half - outwards.dot(place);
+        const float across = left.dot(place);
         if (behind < -kInFront || behind > kBehind) continue;
+        if (across > leftmost || across < rightmost) continue;
         lowest.back() = hits.height[i];
         std::sort(lowest.begin(), lowest.end());
     }
@@ -55,6 +69,24 @@ Measurement withoutEndsBelowView(const Sighting& sighting, const SegmentedFrame&
         if (!below.has(end)) continue;
         m.facesSeen.remove(end);
         m.hiddenEnds.add(end);
+    }
+    return m;
+}
+
+Measurement withRowsBetweenHiddenEnds(const Sighting& sighting)
+{
+    Measurement m = sighting.measurement;
+    for (const int axis : {0, 1})
+    {
+        const FaceRow& row = axis == 0 ? sighting.side : sighting.end;
+        const FaceSet located = locatedFaces(m);
+        if (!m.facesSeen.seesAlong(axis) || located.has(kFaceAt[axis][0]) ||
+            located.has(kFaceAt[axis][1]) || row.hits == 0.0)
+            continue;
+        const Eigen::Vector2d to = row.middle * rotation(m.box.heading).col(axis);
+        m.box.x += to.x();
+        m.box.y += to.y();
+        (axis == 0 ? m.box.length : m.box.width) = std::max(0.1, row.metres);
     }
     return m;
 }
@@ -83,8 +115,16 @@ Measurement withRecessOfEnd(const Sighting& sighting, const HitsAtOneTime& seen)
     Measurement m = sighting.measurement;
     const bool heightsKnown = seen.hits->heights != 0;
     if (!heightsKnown || !m.facesSeen.seesEnd() || sighting.height > kTruckHeight) return m;
-    const double above = lowestOfEnd(m, *seen.each) - kBumper;
+    const double above = lowestOfEnd(m, sighting.end.metres, *seen.each) - kBumper;
     if (!(above > 0.0) || !std::isfinite(above)) return m;
+    if (above > kRoof && m.facesSeen.seesSide())
+    {
+        // The edge of what hides the rest, across the roof.
+        const Face end = m.facesSeen.has(Face::Front) ? Face::Front : Face::Back;
+        m.facesSeen.remove(end);
+        m.hiddenEnds.add(end);
+        return m;
+    }
     const double sigma = kSlope * above;
     const Vector5d change =
         byFace(rotation(m.box.heading), 0, m.facesSeen.has(Face::Front) ? 1 : 0);

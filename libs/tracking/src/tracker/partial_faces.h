@@ -11,6 +11,10 @@ namespace vdamf
 /// only: beside a row along the side they tell none.
 Measurement withoutEndsBelowView(const Sighting& sighting, const SegmentedFrame& frame);
 
+/// The measurement of a sighting with a box that is as long, and as wide, as the row of hits along
+/// it where both ends are hidden: all that is known of them is that the row is between them.
+Measurement withRowsBetweenHiddenEnds(const Sighting& sighting);
+
 /// The measurement of a sighting with the heading as uncertain as pieces of faces leave it: bodies
 /// are round, so that the shorter the row of hits, the more the line through it may be turned.
 /// Where a face shows from end to end, both halves of it turn the line alike.

@@ -75,6 +75,7 @@ FaceRow rowOf(std::vector<RowHit>::iterator begin, std::vector<RowHit>::iterator
     {
         const auto [first, last] = std::minmax_element(begin, end);
         row.metres = last->first - first->first;
+        row.middle = 0.5 * (last->first + first->first);
     }
     else
     {
@@ -83,6 +84,7 @@ FaceRow rowOf(std::vector<RowHit>::iterator begin, std::vector<RowHit>::iterator
         std::partial_sort_copy(begin, end, lowest.begin(), lowest.end());
         std::partial_sort_copy(begin, end, highest.begin(), highest.end(), std::greater<>());
         row.metres = highest.back().first - lowest.back().first;
+        row.middle = 0.5 * (highest.back().first + lowest.back().first);
     }
     for (auto hit = begin; hit != end; ++hit) row.hits += hit->second;
     return row;
@@ -206,6 +208,7 @@ Sighting sightingOf(const SegmentedFrame& frame, const std::vector<std::size_t>&
     }
     s.groundZ = count > 0.0 ? ground / count : 0.0;
     m = withoutEndsBelowView(s, frame);
+    m = withRowsBetweenHiddenEnds(s);
     m = withTurnOfPieces(s);
     m = withRecessOfEnd(s, seen);
     return s;

@@ -45,6 +45,7 @@ struct FaceRow
 {
     double metres = 0.0;  ///< from the first to the last
     double hits = 0.0;
+    double middle = 0.0;  ///< between first and last, along the box from its centre, m
 };
 
 /// Hits of one target in one frame, and what they measured, relative to the frame's origin.

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "tracker/existence.h"
+#include "vdamf/tracking/estimation/lasting_rest.h"
 
 namespace vdamf
 {
@@ -74,6 +75,31 @@ bool isLastGlimpse(const Track& track, const Sighting& sighting, double margin)
            isWithin(sighting.around, track.box(), margin);
 }
 
+// A car whose length was never seen is taken for a longer one as more of its end comes into view.
+Track withEndFollowed(Track track, const Measurement& m, const VisibilityOptions& options)
+{
+    const bool isAssumed = options.assumeVehicleSize && !track.told.length &&
+                           isCarsEnd(track.hypotheses->standing.width, track.highest);
+    if (!isAssumed)
+    {
+        track.assumedLength.reset();
+        return track;
+    }
+    if (!m.facesSeen.seesEnd()) return track;
+    const std::optional<double> width =
+        track.told.width ? std::optional(track.state.width) : std::nullopt;
+    const AssumedSize now = carLength(track.highest, width, options);
+    if (track.assumedLength)
+    {
+        const double seen = m.facesSeen.has(Face::Front) ? 1.0 : -1.0;
+        track.hypotheses->forEach(
+            [&](VehicleState& state)
+            { state = withLengthAssumed(state, *track.assumedLength, now, seen); });
+    }
+    track.assumedLength = now;
+    return track;
+}
+
 // Of (x, y, heading, speed): the filter's, and what lasts of the errors.
 Eigen::Matrix4d toldCovariance(const Track& track, const VisibilityOptions& options)
 {
@@ -114,11 +140,13 @@ Track startedTrack(std::uint64_t id, const Sighting& sighting, const StartSpeed&
     track.state = stateAt(seen, -sighting.lag, options.motion);
     *track.hypotheses = hypothesesFrom(track.state, options.motion);
     track.groundZ = sighting.groundZ;
-    track.height = sighting.height;
+    track.height = track.highest = sighting.height;
     track.sightings = 1;
     track.lastSeen = sighting.time;
     track.seenFrom = sighting.sensor;
     track.told = SizesTold().with(m);
+    if (!track.told.length)
+        track.assumedLength = assumedSizes(m, track.height, options.visibility).length;
     track.around = inFrameOf(seen.box(), sighting.around);
     track.front = HeadingBelief(sizeCues(sighting, track.height));
     track.measurement = m;
@@ -138,8 +166,7 @@ Track sightedTrack(Track track, const Sighting& sighting, double neighbours,
     track.measurement = m;
     track.hits = m.hits;
     if (isLastGlimpse(track, sighting, options.association.surfaceSigma))
-        return withConfirmation(stillThere(std::move(track), sighting.time, options.lifecycle),
-                                options.lifecycle);
+        return withHit(std::move(track), sighting.time, options.lifecycle);
     MotionHypotheses& hypotheses = *track.hypotheses;
     hypotheses.forEach(
         [&](VehicleState& state)
@@ -162,38 +189,17 @@ Track sightedTrack(Track track, const Sighting& sighting, double neighbours,
     track.lastingError = lastingError(box, jitter);
     track.told = track.told.with(m);
     track.around = inFrameOf(then.box(), sighting.around);
-    track.state = hypotheses.combined(options.motion);
+    track.highest = std::max(track.highest, std::min(track.height, sighting.height));
+    track = withEndFollowed(std::move(track), m, visibility);
+    track.state = track.hypotheses->combined(options.motion);
     track.lastMatch = m.match;
     track.groundZ = sighting.groundZ;
     track.height = std::max(sighting.height, 0.95 * track.height + 0.05 * sighting.height);
-    track = stillThere(std::move(track), sighting.time, options.lifecycle);
+    track = withHit(std::move(track), sighting.time, options.lifecycle);
     const Vector5d& b = box.box;
     appendToPath(track,
                  {sighting.time + sighting.lag, {b(0), b(1), b(2), b(3), b(4)}, locatedFaces(m)});
-    return withConfirmation(withCheckedHeading(std::move(track), sighting, neighbours, options),
-                            options.lifecycle);
-}
-
-Track stillThere(Track track, double time, const LifecycleOptions& options)
-{
-    ++track.sightings;
-    track.misses = 0;
-    track.lastSeen = time;
-    return withHit(std::move(track), options);
-}
-
-Track withConfirmation(Track track, const LifecycleOptions& options)
-{
-    // What may still be across is waited for, but not for long: two-wheelers never tell.
-    constexpr int kPatience = 4;  // sightings
-    const int sightings = track.sightings - track.startedAt + 1;
-    constexpr double kVagueSpeed = 2.0;  // m/s
-    const bool isVague = track.front.axesProbability() < options.confirmAxes ||
-                         track.state.covariance(kSpeed, kSpeed) > kVagueSpeed * kVagueSpeed;
-    const int enough = options.confirmHits + (isVague ? kPatience : 0);
-    if (track.status == TrackStatus::Coasting || sightings >= enough)
-        track.status = TrackStatus::Confirmed;
-    return track;
+    return withCheckedHeading(std::move(track), sighting, neighbours, options);
 }
 
 Track movedBy(Track track, const Eigen::Vector3d& by)
@@ -216,15 +222,12 @@ Track predictedTrack(Track track, double dt, const Eigen::Vector2d& sensor,
 {
     track.stoodProbability = track.hypotheses->standingProbability;
     const View before = viewOf(track.hypotheses->driving.front().box(), track.seenFrom);
-    const MotionHypotheses later = predicted(*track.hypotheses, dt, filter, options);
+    const MotionHypotheses later =
+        atLastingRest(predicted(*track.hypotheses, dt, filter, options), track.stoodProbability, dt);
     const View now = viewOf(later.driving.front().box(), sensor);
     *track.hypotheses = drifted(later, track.lastingError, changeOfView(before, now));
     track.seenFrom = sensor;
-    // Unseen, a vehicle is likelier to go straight on than to keep turning in a circle.
-    constexpr double kTurnTime = 0.7;  // s
-    if (track.misses > 0)
-        for (VehicleState& state : track.hypotheses->driving)
-            state.mean(kCurvature) *= std::exp(-dt / kTurnTime);
+    if (track.misses > 0) *track.hypotheses = unseen(*track.hypotheses, dt);
     track.state = track.hypotheses->combined(options);
     track.hits = 0;
     track.measurement.reset();

@@ -50,6 +50,8 @@ struct Track
     Eigen::Vector2d seenFrom = Eigen::Vector2d::Zero();  ///< sensor of the last frame, m
     double groundZ = 0.0;
     double height = 0.0;
+    double highest = 0.0;                      ///< that two sightings in a row agree on
+    std::optional<AssumedSize> assumedLength;  ///< of a car whose end alone was seen
     int sightings = 0;
     int startedAt = 1;       ///< sighting at which its state was started, or started anew
     int misses = 0;          ///< frames since the last sighting
@@ -102,12 +104,6 @@ Track startedTrack(std::uint64_t id, const Sighting& sighting, const StartSpeed&
 /// `neighbours`: log odds for the axes held, by the vehicles around it.
 Track sightedTrack(Track track, const Sighting& sighting, double neighbours,
                    VehicleKalmanFilter& filter, const TrackerOptions& options);
-
-/// The track after hits of it at that time (s), whatever they told.
-Track stillThere(Track track, double time, const LifecycleOptions& options);
-
-/// The track, confirmed once it was seen often enough for what is known of its axes.
-Track withConfirmation(Track track, const LifecycleOptions& options);
 
 /// What the faces that a sighting shows of a vehicle of that height (m) tell of its axes.
 HeadingCues sizeCues(const Sighting& sighting, double height);

@@ -202,6 +202,8 @@ private:
                         glancedTrack(std::move(track), frame, assignment[j], options_.lifecycle);
                 else
                     track = withMiss(std::move(track), view, options_.lifecycle);
+                if (track.misses == 0)
+                    track = withConfirmation(std::move(track), options_.lifecycle);
             });
     }
 

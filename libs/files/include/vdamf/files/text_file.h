@@ -13,6 +13,10 @@ namespace vdamf
 /// or larger than `maxBytes` (then it is not the file that was meant).
 std::string readTextFile(const std::filesystem::path& path, std::size_t maxBytes = 64 << 20);
 
+/// The file with this text in place of what it held: whole, or as it was. Throws
+/// std::runtime_error that names the file.
+void writeTextFile(const std::filesystem::path& path, std::string_view text);
+
 /// `'text'`, cut after 60 characters and with unprintable ones as `?`, to quote input in messages.
 std::string inQuotes(std::string_view text);
 

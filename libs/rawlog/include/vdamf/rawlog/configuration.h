@@ -69,6 +69,10 @@ struct Configuration
 /// Strict: throws IniError that lists every problem with file, line and key.
 Configuration readConfiguration(const IniDocument& document);
 
+/// Of a file, or the built-in one where no file is named, with "section.key=value" over it.
+Configuration loadConfiguration(const std::filesystem::path& file,
+                                const std::vector<std::string>& assignments = {});
+
 /// The commented ini text that readConfiguration() reads back to the same configuration.
 std::string toIni(const Configuration& configuration);
 

@@ -2,7 +2,7 @@
 // What is known of a vehicle that was seen once.
 #pragma once
 
-#include "vdamf/tracking/estimation/visibility.h"
+#include "vdamf/tracking/estimation/assumed_size.h"
 
 namespace vdamf
 {
@@ -40,5 +40,10 @@ struct SizesTold
 VehicleState grownToAVehicle(const VehicleState& predicted, const Measurement& measurement,
                              double height, const SizesTold& told,
                              const VisibilityOptions& options);
+
+/// The state with another length assumed than before, as more became known of the end seen (1 the
+/// front, -1 the rear), which stays: as far as the length is not yet known better than that.
+VehicleState withLengthAssumed(const VehicleState& state, const AssumedSize& before,
+                               const AssumedSize& now, double seen);
 
 }  // namespace vdamf

@@ -26,9 +26,10 @@ struct LifecycleOptions
     double maxExtent = 25.0;  ///< m
     int confirmHits = 3;
     double confirmAxes = 0.9;
+    double confirmSpeedSigma = 2.0;  ///< m/s
     double hitProbability = 0.7;
     double endProbability = 0.1;
-    double maxCoast = 3.0;          ///< s
+    double maxCoast = 8.0;          ///< s
     double startSpeedSigma = 16.0;  ///< m/s
     double nisGate = 11.34;
 
@@ -43,9 +44,10 @@ struct LifecycleOptions
         field(self.confirmHits, "confirm_hits", 1, 50, "measured frames that confirm a track");
         field(self.confirmAxes, "confirm_axes_probability", 0.0, 0.99,
               "that length and width are not exchanged, from which a track is confirmed then; one "
-              "that "
-              "is less certain, or whose speed is not known to 2 m/s, waits for four more measured "
-              "frames");
+              "that is less certain waits for four more measured frames");
+        field(self.confirmSpeedSigma, "confirm_speed_sigma_mps", 0.1, 40.0,
+              "standard deviation of a track's speed up to which it is confirmed then; one that is "
+              "known less waits as long");
         field(self.hitProbability, "hit_probability", 0.1, 0.99,
               "that an object in full view has hits: each frame in which the sensor sees through "
               "where it ought to be speaks against it; hidden behind something nearer it is not "

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Section 4.5: the size assumed of a vehicle where it is not seen.
+#pragma once
+
+#include <optional>
+
+#include "vdamf/tracking/estimation/visibility.h"
+
+namespace vdamf
+{
+struct AssumedSize
+{
+    double metres = 0.0;
+    double sigma = 0.0;  ///< m
+};
+
+/// What a measurement suggests; nothing of what is measured, or could be anything.
+struct AssumedSizes
+{
+    std::optional<AssumedSize> length;
+    std::optional<AssumedSize> width;
+};
+
+inline constexpr double kNarrowestCar = 1.3;  ///< m
+
+/// Widest that an end of a car or van of that height seems to be, m.
+double widestCar(double height);
+
+/// Of a car or van of that height, m; longer or shorter by its width where that is known.
+AssumedSize carLength(double height, const std::optional<double>& width,
+                      const VisibilityOptions& options);
+AssumedSize carWidth(double height, const VisibilityOptions& options);
+
+/// Of the vehicle behind an end of that width and height (m); nothing where it is no vehicle's.
+std::optional<AssumedSize> lengthBehind(double width, double height,
+                                        const VisibilityOptions& options);
+
+/// Of the vehicle behind a side of that length and height (m).
+std::optional<AssumedSize> widthBehind(double length, double height,
+                                       const VisibilityOptions& options);
+
+/// Whether a part of an end is seen, beside what hides the rest, that is as high (m) and wide as
+/// one of a car's.
+bool isPieceOfACarsEnd(const Measurement& measurement, double height);
+
+/// Of a vehicle of that height (m) that was seen once.
+AssumedSizes assumedSizes(const Measurement& measurement, double height,
+                          const VisibilityOptions& options);
+
+/// Whether an end of that width and height (m) may be all of one of a car or van.
+bool isCarsEnd(double width, double height);
+
+}  // namespace vdamf

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vdamf/tracking/estimation/assumed_size.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vdamf
+{
+namespace
+{
+constexpr double kPiece = 0.9;  // m, of an end of which something hides the rest
+// Hits tell widths to a decimetre or two: what is higher than any car may be narrower.
+constexpr double kTallest = 2.5;   // m
+constexpr double kCarSide = 3.0;   // m, the shortest: longer than a motorcycle
+constexpr double kLongSide = 5.5;  // m, of vans, trucks and buses
+constexpr AssumedSize kLargeWidth{2.1, 0.3};
+
+// The end of a truck or bus alone tells little of its length. What is as wide and low is none: the
+// part of a side, or no vehicle.
+constexpr double kTruckHeight = 2.0;  // m
+constexpr double kWidestTruck = 2.8;  // m
+constexpr AssumedSize kTruckLength{9.0, 2.0};
+
+// Vans are higher, longer and wider than cars, of the labelled vehicles of KITTI and Argoverse 2:
+// wider by the metre over a car's height,
+constexpr double kCarHeight = 1.5;   // m
+constexpr double kHighestVan = 3.0;  // m
+constexpr AssumedSize kWider{0.3, 0.1};
+// and longer from one height on, by the metre of width in any case (a robust regression over 104
+// vehicles that are lower than 2.45 m).
+constexpr double kHighCar = 1.7;  // m
+constexpr double kLowVan = 2.0;   // m
+constexpr AssumedSize kLonger{0.55, 0.4};
+constexpr double kLongerByWidth = 0.9;
+constexpr double kSeemsWider = 0.08;  // m, as hits show it, by mirrors and round corners
+constexpr double kOddWidth = 0.35;    // m, over or under a car's: mirrors, or not all of an end
+
+bool couldBeACar(const Measurement& m, double height)
+{
+    const bool lengthFits = !m.facesSeen.seesSide() || m.box.length < kLongSide;
+    const bool widthFits = !m.facesSeen.seesEnd() || m.box.width < widestCar(height);
+    const bool carEnd =
+        m.facesSeen.seesEnd() && m.box.width > (locatesWidth(m) ? kNarrowestCar : kPiece);
+    const bool carSide = m.facesSeen.seesSide() && m.box.length > (locatesLength(m) ? 2.1 : 1.2);
+    return lengthFits && widthFits && (carEnd || carSide);
+}
+}  // namespace
+
+double widestCar(double height)
+{
+    return height > kTallest ? 2.1 : 2.3;  // m
+}
+
+AssumedSize carLength(double height, const std::optional<double>& width, const VisibilityOptions& o)
+{
+    const double van = std::clamp((height - kHighCar) / (kLowVan - kHighCar), 0.0, 1.0);
+    const double told = width ? *width - kSeemsWider : carWidth(height, o).metres;
+    const double wider = std::clamp(told - o.carWidth, -kOddWidth, kOddWidth);
+    return {o.carLength + van * kLonger.metres + kLongerByWidth * wider,
+            std::hypot(o.carLengthSigma, van * kLonger.sigma)};
+}
+
+AssumedSize carWidth(double height, const VisibilityOptions& o)
+{
+    const double more = std::clamp(height, kCarHeight, kHighestVan) - kCarHeight;
+    return {o.carWidth + more * kWider.metres, std::hypot(o.carWidthSigma, more * kWider.sigma)};
+}
+
+bool isCarsEnd(double width, double height)
+{
+    return width >= kNarrowestCar && width < widestCar(height);
+}
+
+std::optional<AssumedSize> lengthBehind(double width, double height, const VisibilityOptions& o)
+{
+    if (width < kNarrowestCar || width > kWidestTruck) return std::nullopt;
+    if (width < widestCar(height)) return carLength(height, width, o);
+    if (height < kTruckHeight) return std::nullopt;
+    return kTruckLength;
+}
+
+std::optional<AssumedSize> widthBehind(double length, double height, const VisibilityOptions& o)
+{
+    if (length < kCarSide) return std::nullopt;
+    return length < kLongSide ? carWidth(height, o) : kLargeWidth;
+}
+
+bool isPieceOfACarsEnd(const Measurement& m, double height)
+{
+    return m.facesSeen.seesEnd() && !locatesWidth(m) && m.box.width > kPiece &&
+           m.box.width < widestCar(height);
+}
+
+AssumedSizes assumedSizes(const Measurement& m, double height, const VisibilityOptions& o)
+{
+    if (!o.assumeVehicleSize) return {};
+    if (couldBeACar(m, height)) return {carLength(height, std::nullopt, o), carWidth(height, o)};
+    const bool sideAlone = m.facesSeen.seesSide() && !m.facesSeen.seesEnd();
+    if (sideAlone && m.box.length > kLongSide) return {std::nullopt, kLargeWidth};
+    const bool endAlone = m.facesSeen.seesEnd() && !m.facesSeen.seesSide();
+    if (endAlone && m.box.width > widestCar(height))
+        return {lengthBehind(m.box.width, height, o), std::nullopt};
+    return {};
+}
+
+}  // namespace vdamf

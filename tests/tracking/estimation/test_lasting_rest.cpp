@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What seems to stand, and what is not seen where it should be.
+#include "vdamf/tracking/estimation/lasting_rest.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace vdamf
+{
+namespace
+{
+constexpr double kFrame = 0.1;  // s
+
+// Stands at x = 10 m, or drives on from x = 12 m.
+MotionHypotheses seemingly(double speed, double speedSigma, double standing)
+{
+    VehicleState state;
+    state.mean << 10.0, 0.0, 0.0, speed, 0.02, 1.2, 4.5;
+    state.covariance.diagonal() << 0.01, 0.01, 1e-4, speedSigma * speedSigma, 2.5e-3, 0.2, 0.05;
+    MotionHypotheses all = hypothesesFrom(state, MotionOptions());
+    for (VehicleState& driving : all.driving) driving.mean(kX) = 12.0;
+    all.standingProbability = standing;
+    return all;
+}
+
+TEST(AtLastingRest, WhatIsKnownToBeHardlyFasterThanNothingStands)
+{
+    MotionHypotheses all = seemingly(0.0, 0.1, 0.5);
+    for (int k = 0; k < 30; ++k) all = atLastingRest(all, all.standingProbability, kFrame);
+    EXPECT_GT(all.standingProbability, 0.85);
+}
+
+TEST(AtLastingRest, WhatMovesOrMayMoveIsLeftAlone)
+{
+    for (const MotionHypotheses& all : {seemingly(6.0, 0.1, 0.3), seemingly(0.0, 4.0, 0.3)})
+        EXPECT_EQ(atLastingRest(all, 0.3, kFrame).standingProbability, 0.3);
+}
+
+TEST(Unseen, WhatStoodSetsOffFromWhereItStood)
+{
+    const MotionHypotheses all = unseen(seemingly(1.0, 0.5, 0.9), kFrame);
+    for (const VehicleState& driving : all.driving)
+    {
+        EXPECT_LT(driving.mean(kX), 11.5);
+        EXPECT_LT(driving.mean(kSpeed), 0.7);
+        // Where it has gone to is no surer.
+        EXPECT_GT(driving.covariance(kX, kX), 0.5);
+        EXPECT_EQ(driving.covariance(kCurvature, kCurvature), 2.5e-3);
+    }
+}
+
+TEST(Unseen, WhatDroveDrivesOnStraighter)
+{
+    const MotionHypotheses before = seemingly(6.0, 0.5, 0.1);
+    const MotionHypotheses all = unseen(before, kFrame);
+    EXPECT_EQ(all.driving.front().mean(kSpeed), 6.0);
+    EXPECT_EQ(all.driving.front().mean(kX), 12.0);
+    EXPECT_LT(std::abs(all.driving.front().mean(kCurvature)), 0.018);
+}
+
+}  // namespace
+}  // namespace vdamf
