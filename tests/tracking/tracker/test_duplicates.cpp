@@ -18,12 +18,20 @@ Track trackAt(std::uint64_t id, double x, int misses = 0)
     return track;
 }
 
-std::vector<std::uint64_t> goingOn(std::vector<Track> tracks)
+std::vector<std::uint64_t> goingOn(std::vector<Track> tracks,
+                                   const std::vector<OrientedBox>& extents)
 {
     std::vector<std::uint64_t> ids;
-    for (const Track& track : withDuplicatesEnded(std::move(tracks)))
+    for (const Track& track : withDuplicatesEnded(std::move(tracks), extents))
         if (track.status != TrackStatus::Ended) ids.push_back(track.id);
     return ids;
+}
+
+std::vector<std::uint64_t> goingOn(const std::vector<Track>& tracks)
+{
+    std::vector<OrientedBox> boxes;
+    for (const Track& track : tracks) boxes.push_back(track.box());
+    return goingOn(tracks, boxes);
 }
 
 using Ids = std::vector<std::uint64_t>;
@@ -42,6 +50,14 @@ TEST(Duplicates, UnlessItIsTheOneThatWasLost)
 TEST(Duplicates, CarsBumperToBumperAreTwo)
 {
     EXPECT_EQ(goingOn({trackAt(1, 10.0), trackAt(2, 14.6)}), (Ids{1, 2}));
+}
+
+TEST(Duplicates, CarsStandWithinWhatABushCouldHaveBeen)
+{
+    const Track bush = trackAt(1, 10.0);
+    const Track car = trackAt(2, 11.0);
+    EXPECT_EQ(goingOn({bush, car}), (Ids{1}));
+    EXPECT_EQ(goingOn({bush, car}, {{8.0, 0.0, 0.0, 0.8, 0.5}, car.box()}), (Ids{1, 2}));
 }
 
 TEST(Duplicates, AnEndedTrackEndsNoOther)

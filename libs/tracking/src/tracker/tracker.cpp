@@ -53,7 +53,7 @@ public:
         assignment = startTracks(segmented, std::move(assignment));
         enter(Stage::Discrimination);
         judgeTracks(segmented, assignment);
-        tracks_ = withDuplicatesEnded(std::move(tracks_));
+        tracks_ = withDuplicatesEnded(std::move(tracks_), extents());
         FrameResult result = reportFrame(frame, segmented);
         removeEnded();
         if (observer_) observer_(nullptr);
@@ -246,6 +246,14 @@ private:
                 reportOf(track, discriminator_.extentOf(track), options_.visibility, frame.origin),
                 track));
         return result;
+    }
+
+    std::vector<OrientedBox> extents() const
+    {
+        std::vector<OrientedBox> all;
+        all.reserve(tracks_.size());
+        for (const Track& track : tracks_) all.push_back(discriminator_.extentOf(track));
+        return all;
     }
 
     void removeEnded()
