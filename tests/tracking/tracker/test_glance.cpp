@@ -121,11 +121,15 @@ Looks looksAtABody(double logOdds)
     return looks;
 }
 
-TEST(Glance, SavesThreeOfFourMeasurementsOfClutterAndNoneOfVehicles)
+TEST(Glance, SavesMostMeasurementsOfClutterAndNoneOfVehicles)
 {
-    const Looks clutter = looksAtABody(-4.0);
+    const Looks clutter = looksAtABody(-1.2);
     EXPECT_EQ(clutter.seen, 20);
     EXPECT_EQ(clutter.measured, 5);
+    const Looks surely = looksAtABody(-6.0);
+    EXPECT_EQ(surely.seen, 20);
+    EXPECT_GE(surely.measured, 2);
+    EXPECT_LE(surely.measured, 3);
     const Looks vehicle = looksAtABody(4.0);
     EXPECT_EQ(vehicle.seen, 20);
     EXPECT_EQ(vehicle.measured, 20);

@@ -146,15 +146,18 @@ private:
                isWhereItWas(track, frame, clusters);
     }
 
-    // What is hardly a vehicle, but at each fourth sighting, and not at first, when little is in
-    // view: it may have been ruled out by mistake.
+    // What is hardly a vehicle, but at each fourth sighting, of what is surely none at each eighth,
+    // and not at first, when little is in view: it may have been ruled out by mistake.
     bool isClutter(const Track& track) const
     {
-        constexpr int kYoung = 6;  // sightings
+        constexpr int kYoung = 6;             // sightings
+        constexpr double kSurelyNone = 0.01;  // probability
         constexpr std::uint64_t kLookAgain = 4;
-        if (track.sightings < kYoung) return false;
+        constexpr std::uint64_t kLookAgainIfSure = 8;
+        if (track.sightings < kYoung || !discriminator_.rulesOut(track)) return false;
+        const bool isSure = discriminator_.vehicleProbability(track) < kSurelyNone;
         const std::uint64_t turn = static_cast<std::uint64_t>(track.sightings) + 1 + track.id;
-        return turn % kLookAgain != 0 && discriminator_.rulesOut(track);
+        return turn % (isSure ? kLookAgainIfSure : kLookAgain) != 0;
     }
 
     // From the predicted pose.
