@@ -164,6 +164,28 @@ TEST(MotionHypotheses, WhatTurnsKeepsItsSpeedKnown)
     EXPECT_LT(std::sqrt(state.covariance(kSpeed, kSpeed)), 0.3);
 }
 
+TEST(MotionHypotheses, WhatIsKnownToBeHardlyFasterThanNothingStands)
+{
+    VehicleKalmanFilter filter{MotionOptions()};
+    const auto standingLater = [&](double speed, double sigma)
+    {
+        VehicleState state = unknownSpeed();
+        state.mean(kSpeed) = speed;
+        state.covariance(kSpeed, kSpeed) = sigma * sigma;
+        MotionHypotheses all = hypothesesFrom(state, MotionOptions());
+        all.standingProbability = 0.5;
+        for (int k = 0; k < 30; ++k)
+        {
+            const MotionHypotheses next = predicted(all, 0.1, filter, MotionOptions());
+            all.standingProbability = next.standingProbability;
+        }
+        return all.standingProbability;
+    };
+    EXPECT_GT(standingLater(0.0, 0.1), 0.75);
+    EXPECT_NEAR(standingLater(0.0, 8.0), 0.5, 0.01);
+    EXPECT_LT(standingLater(6.0, 0.1), 0.15);
+}
+
 TEST(MotionHypotheses, WhatIsHiddenDrivesOn)
 {
     Follower follower;

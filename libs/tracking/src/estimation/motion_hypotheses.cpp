@@ -6,13 +6,13 @@
 #include <numeric>
 
 #include "estimation/mixed.h"
+#include "estimation/rest.h"
 #include "estimation/surprise.h"
 
 namespace vdamf
 {
 namespace
 {
-constexpr double kRestTime = 1.6;  // s, in which vehicles that stand may start, or stop
 // Vehicles hold their speed for 4 s in the mean, then change it for 3 s; their steering they hold
 // and change for 4 s each, apart from it. So from one way to another, 1/s; what does both may end
 // up either way.
@@ -31,26 +31,6 @@ constexpr double kRefuted = 0.05;       // of the standing hypothesis
 constexpr double kFree = 0.03;          // of what moves, does not follow wheels
 constexpr double kStartYawRate = 0.3;   // rad/s
 constexpr double kSurpriseSigma = 1.5;  // m/s, of the speed of a vehicle that left its gate
-
-VehicleState atRest(const VehicleState& state)
-{
-    VehicleState still = state;
-    for (const int row : {kSpeed, kCurvature})
-    {
-        still.mean(row) = 0.0;
-        still.covariance.row(row).setZero();
-        still.covariance.col(row).setZero();
-    }
-    return still;
-}
-
-VehicleState standingLater(const VehicleState& state, double dt, const MotionOptions& options)
-{
-    VehicleState later = state;
-    const StateMatrix noise = processNoise(state.mean, dt, options);
-    for (const int row : {kX, kY, kHeading, kLength}) later.covariance(row, row) += noise(row, row);
-    return later;
-}
 
 // Least and greatest probability stand for none and one: a mean must not lose a share of speed.
 double share(double probability)
@@ -125,16 +105,6 @@ VehicleState updatedState(const VehicleState& state, const Measured& measured, d
     BoxMeasurement measurement = measured.whole;
     measurement.covariance *= vaguer;
     return filter.update(before, measurement);
-}
-
-// In the long run, for what is known to move: what drives on without being seen does not come to
-// stand from one frame to the next.
-double restProbability(const VehicleState& moving)
-{
-    constexpr double kPace = 2.5;  // m/s, from which vehicles come to stand
-    const double speed = moving.mean(kSpeed);
-    const double variance = kPace * kPace + moving.covariance(kSpeed, kSpeed);
-    return 0.5 * std::exp(-0.5 * speed * speed / variance);
 }
 
 // Probabilities after a measurement: that it stands, and of what moves, that it does so freely.

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
+#include "tracker/attention.h"
 #include "tracker/discriminate.h"
 #include "tracker/duplicates.h"
 #include "tracker/existence.h"
@@ -142,22 +142,8 @@ private:
     bool isGlanceEnough(const Track& track, const SegmentedFrame& frame,
                         const std::vector<std::size_t>& clusters) const
     {
-        return isClutter(track) && !options_.discriminator.keepFeatures &&
+        return isPassedOver(track, discriminator_) && !options_.discriminator.keepFeatures &&
                isWhereItWas(track, frame, clusters);
-    }
-
-    // What is hardly a vehicle, but at each fourth sighting, of what is surely none at each eighth,
-    // and not at first, when little is in view: it may have been ruled out by mistake.
-    bool isClutter(const Track& track) const
-    {
-        constexpr int kYoung = 6;             // sightings
-        constexpr double kSurelyNone = 0.01;  // probability
-        constexpr std::uint64_t kLookAgain = 4;
-        constexpr std::uint64_t kLookAgainIfSure = 8;
-        if (track.sightings < kYoung || !discriminator_.rulesOut(track)) return false;
-        const bool isSure = discriminator_.vehicleProbability(track) < kSurelyNone;
-        const std::uint64_t turn = static_cast<std::uint64_t>(track.sightings) + 1 + track.id;
-        return turn % (isSure ? kLookAgainIfSure : kLookAgain) != 0;
     }
 
     // From the predicted pose.
@@ -168,19 +154,7 @@ private:
             hitsAtOneTime(frame, clusters, motionOf(track.state), options_.measurement.mergeCell);
         const OrientedBox start = stateAt(track.state, seen.lag, options_.motion).box();
         return sightingOf(frame, clusters, seen, start, Eigen::Vector2d(start.length, start.width),
-                          typeFilters_.optionsFor(track), effortFor(track));
-    }
-
-    // Where the predicted pose is vague, or explains the hits much worse than before, also from
-    // where the hits are. What is hardly a vehicle is followed with less effort.
-    SearchEffort effortFor(const Track& track) const
-    {
-        constexpr double kVague = 0.3;      // m
-        constexpr double kPoorMatch = 0.6;  // of the last one
-        if (isClutter(track)) return {0.0, true};
-        const bool isVague = track.positionSigma() >= kVague;
-        return {isVague ? std::numeric_limits<double>::infinity() : kPoorMatch * track.lastMatch,
-                false};
+                          typeFilters_.optionsFor(track), effortFor(track, discriminator_));
     }
 
     void updateTracks(const SegmentedFrame& frame, const FieldOfView& field,

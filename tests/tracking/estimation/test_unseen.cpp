@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What seems to stand, and what is not seen where it should be.
-#include "vdamf/tracking/estimation/lasting_rest.h"
+// What is not seen where it should be.
+#include "vdamf/tracking/estimation/unseen.h"
 
 #include <gtest/gtest.h>
 
@@ -22,19 +22,6 @@ MotionHypotheses seemingly(double speed, double speedSigma, double standing)
     for (VehicleState& driving : all.driving) driving.mean(kX) = 12.0;
     all.standingProbability = standing;
     return all;
-}
-
-TEST(AtLastingRest, WhatIsKnownToBeHardlyFasterThanNothingStands)
-{
-    MotionHypotheses all = seemingly(0.0, 0.1, 0.5);
-    for (int k = 0; k < 30; ++k) all = atLastingRest(all, all.standingProbability, kFrame);
-    EXPECT_GT(all.standingProbability, 0.85);
-}
-
-TEST(AtLastingRest, WhatMovesOrMayMoveIsLeftAlone)
-{
-    for (const MotionHypotheses& all : {seemingly(6.0, 0.1, 0.3), seemingly(0.0, 4.0, 0.3)})
-        EXPECT_EQ(atLastingRest(all, 0.3, kFrame).standingProbability, 0.3);
 }
 
 TEST(Unseen, WhatStoodSetsOffFromWhereItStood)

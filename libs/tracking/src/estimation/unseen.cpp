@@ -1,34 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vdamf/tracking/estimation/lasting_rest.h"
+#include "vdamf/tracking/estimation/unseen.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "estimation/mixed.h"
+#include "estimation/rest.h"
 
 namespace vdamf
 {
-namespace
-{
-constexpr double kRestTime = 1.6;  // s, in which what stands sets off, or stops
-}
-
-MotionHypotheses atLastingRest(const MotionHypotheses& predicted, double stoodProbability,
-                               double dt)
-{
-    constexpr double kPace = 2.5;  // m/s, from which vehicles come to stand
-    const VehicleState& driving = predicted.driving.front();
-    const double speed =
-        std::hypot(driving.mean(kSpeed), std::sqrt(driving.covariance(kSpeed, kSpeed)));
-    const double rest = 1.0 / (1.0 + speed / kPace);
-    if (rest < 0.5) return predicted;
-    MotionHypotheses next = predicted;
-    next.standingProbability =
-        std::max(predicted.standingProbability,
-                 rest + std::exp(-dt / kRestTime) * (stoodProbability - rest));
-    return next;
-}
-
 MotionHypotheses unseen(const MotionHypotheses& hypotheses, double dt)
 {
     constexpr double kTurnTime = 0.7;  // s

@@ -1,17 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is expected of a vehicle that seems to stand, or was not seen where it should be.
+// What is expected of a vehicle that was not seen where it should be.
 #pragma once
 
 #include "vdamf/tracking/estimation/motion_hypotheses.h"
 
 namespace vdamf
 {
-/// The hypotheses predicted by `dt` seconds, of what stood with that probability before. What is
-/// known to be hardly faster than nothing stands rather than drives: of those that drive, few do so
-/// at just that speed.
-MotionHypotheses atLastingRest(const MotionHypotheses& predicted, double stoodProbability,
-                               double dt);
-
 /// The hypotheses after `dt` seconds without a sighting. Turns come to their end: it is likelier to
 /// go straight on than to keep turning in a circle. And what stood sets off from where it stood and
 /// from rest: a speed that the last hits feigned does not carry it away.

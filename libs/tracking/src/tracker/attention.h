@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How much work a track is worth in a frame: attention goes to what may be a vehicle.
+#pragma once
+
+#include "tracker/discriminate.h"
+#include "tracker/track.h"
+
+namespace vdamf
+{
+/// Whether this sighting of what is hardly a vehicle may be passed over. Each fourth is not, of
+/// what is surely none each eighth, nor are the first ones, when little is in view: it may have
+/// been ruled out by mistake.
+bool isPassedOver(const Track& track, const Discriminator& discriminator);
+
+/// Where the predicted pose is vague, or explains the hits much worse than before, the search also
+/// starts from where the hits are. What is passed over is followed with less effort.
+SearchEffort effortFor(const Track& track, const Discriminator& discriminator);
+
+}  // namespace vdamf

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How tracks take sightings in: the first one, and those that follow.
+#include "tracker/track.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tracker/existence.h"
+
+namespace vdamf
+{
+namespace
+{
+void appendToPath(Track& track, const PathPoint& point)
+{
+    constexpr double kPathTime = 3.0;  // s
+    track.path.push_back(point);
+    const auto first =
+        std::find_if(track.path.begin(), track.path.end(),
+                     [&](const PathPoint& p) { return p.time >= point.time - kPathTime; });
+    track.path.erase(track.path.begin(), first);
+}
+
+// A box in the frame of another one.
+OrientedBox inFrameOf(const OrientedBox& frame, const OrientedBox& box)
+{
+    const Eigen::Vector2d centre = toBoxFrame(frame, box.centre());
+    return {centre.x(), centre.y(), wrapAngle(box.heading - frame.heading), box.length, box.width};
+}
+
+// The measurement as it would have been `lag` seconds before, at the time of the state.
+Measurement broughtTo(const VehicleState& state, const Measurement& measurement, double lag,
+                      const MotionOptions& options)
+{
+    if (lag == 0.0) return measurement;
+    const StateVector move =
+        modelOf(state.steering, options)->predicted(state.mean, lag) - state.mean;
+    Measurement m = measurement;
+    m.box.x -= move(kX);
+    m.box.y -= move(kY);
+    m.box.heading = wrapAngle(m.box.heading - move(kHeading));
+    return m;
+}
+
+// Whether the box around some hits lies on another one, grown by a margin (m).
+bool isWithin(const OrientedBox& hits, const OrientedBox& box, double margin)
+{
+    for (const Eigen::Vector2d& corner : corners(hits))
+    {
+        const Eigen::Vector2d p = toBoxFrame(box, corner).cwiseAbs();
+        if (p.x() > 0.5 * box.length + margin || p.y() > 0.5 * box.width + margin) return false;
+    }
+    return true;
+}
+
+constexpr double kSurelyAVehicle = 0.8;  // probability
+
+bool standsWithKnownLength(const Track& track)
+{
+    return track.hypotheses->standingProbability >= 0.5 && track.told.length;
+}
+
+// Of what stands, of known size, and goes out of sight the last hits are on any part of it, and
+// where they are expected: they tell that it is there, and not where its faces are.
+bool isLastGlimpse(const Track& track, const Sighting& sighting, double margin)
+{
+    constexpr double kPart = 0.25;   // of the length
+    constexpr double kTurned = 0.2;  // rad
+    if (!standsWithKnownLength(track)) return false;
+    const bool isPart =
+        std::hypot(sighting.around.length, sighting.around.width) < kPart * track.box().length;
+    // What stands does not turn either: hits on a corner alone may seem to.
+    const bool turned =
+        std::abs(std::remainder(sighting.measurement.box.heading - track.state.mean(kHeading),
+                                0.5 * kPi)) > kTurned;
+    return isPart && (turned || !sighting.measurement.hiddenEnds.empty()) &&
+           isWithin(sighting.around, track.box(), margin);
+}
+
+// A car whose length was never seen is taken for a longer one as more of its end comes into view.
+Track withEndFollowed(Track track, const Measurement& m, const VisibilityOptions& options)
+{
+    const bool isAssumed = options.assumeVehicleSize && !track.told.length &&
+                           isCarsEnd(track.hypotheses->standing.width, track.highest);
+    if (!isAssumed)
+    {
+        track.assumedLength.reset();
+        return track;
+    }
+    if (!m.facesSeen.seesEnd()) return track;
+    const std::optional<double> width =
+        track.told.width ? std::optional(track.state.width) : std::nullopt;
+    const AssumedSize now = carLength(track.highest, width, options);
+    if (track.assumedLength)
+    {
+        const double seen = m.facesSeen.has(Face::Front) ? 1.0 : -1.0;
+        track.hypotheses->forEach(
+            [&](VehicleState& state)
+            { state = withLengthAssumed(state, *track.assumedLength, now, seen); });
+    }
+    track.assumedLength = now;
+    return track;
+}
+
+// No smaller than a vehicle of which that is seen (height: m).
+Track grownToAVehicle(Track track, const Measurement& m, double height,
+                      const VisibilityOptions& options)
+{
+    track.hypotheses->forEach([&](VehicleState& state)
+                              { state = grownToAVehicle(state, m, height, track.told, options); });
+    if (track.judgement.probability > kSurelyAVehicle)
+        track.hypotheses->forEach(
+            [&](VehicleState& state)
+            { state = grownAsJudged(state, m, height, track.told, options); });
+    return track;
+}
+
+// The whole box by a sighting, at the time of its hits; `then`: what was foretold for that time.
+BoxMeasurement boxOf(const Sighting& sighting, const Measurement& m, const Track& track,
+                     const VehicleState& then, const VisibilityOptions& options)
+{
+    FaceErrors errors = faceErrors(m, then, options);
+    if (standsWithKnownLength(track)) errors = withShortRows(errors, m, then);
+    BoxMeasurement box = boxThrough(m, errors, then.size(), sighting.sensor, options);
+    box.lag = sighting.lag;
+    return box;
+}
+
+// The hypotheses, and how they err, after a box measured `dt` seconds after the one before.
+Track updatedBy(const BoxMeasurement& box, Track track, const Measurement& m,
+                const VehicleState& then, double dt, VehicleKalmanFilter& filter,
+                const TrackerOptions& options)
+{
+    MotionHypotheses& hypotheses = *track.hypotheses;
+    const JitterShares jitter = track.jitter;  // before this sighting
+    track.nis = innovationOf(then, withJitterAlone(box, jitter)).nis();
+    hypotheses.forEach(
+        [&](VehicleState& state) {
+            state = openToGrowth(state, broughtTo(state, m, box.lag, options.motion),
+                                 options.visibility);
+        });
+    track.jitter = jitter.after(then, box, dt);
+    hypotheses = updated(hypotheses, box, jitter, filter, options.lifecycle.nisGate);
+    if (track.sightings == track.startedAt)
+        hypotheses.forEach([](VehicleState& state) { state = withUsualCurvature(state); });
+    track.lastingError = lastingError(box, jitter);
+    return track;
+}
+}  // namespace
+
+Track startedTrack(std::uint64_t id, const Sighting& sighting, const StartSpeed& speed,
+                   const TrackerOptions& options)
+{
+    const Measurement& m = sighting.measurement;
+    Track track;
+    track.id = id;
+    const VehicleState seen =
+        startState(m, sighting.height, sighting.sensor, speed, options.visibility, options.motion);
+    track.state = stateAt(seen, -sighting.lag, options.motion);
+    *track.hypotheses = hypothesesFrom(track.state, options.motion);
+    track.groundZ = sighting.groundZ;
+    track.height = track.highest = sighting.height;
+    track.sightings = 1;
+    track.lastSeen = sighting.time;
+    track.seenFrom = sighting.sensor;
+    track.told = SizesTold().with(m);
+    if (!track.told.length)
+        track.assumedLength = assumedSizes(m, track.height, options.visibility).length;
+    track.around = inFrameOf(seen.box(), sighting.around);
+    track.front = HeadingBelief(sizeCues(sighting, track.height));
+    track.measurement = m;
+    track.hits = m.hits;
+    track.lastMatch = m.match;
+    if (options.lifecycle.confirmHits <= 1) track.status = TrackStatus::Confirmed;
+    appendToPath(track, {sighting.time + sighting.lag, seen.box(), locatedFaces(m)});
+    return track;
+}
+
+Track sightedTrack(Track track, const Sighting& sighting, double neighbours,
+                   VehicleKalmanFilter& filter, const TrackerOptions& options)
+{
+    const VisibilityOptions& visibility = options.visibility;
+    const Measurement m = alignedWith(
+        sighting.measurement, stateAt(track.state, sighting.lag, options.motion).mean(kHeading));
+    track.measurement = m;
+    track.hits = m.hits;
+    if (isLastGlimpse(track, sighting, options.association.surfaceSigma))
+        return withHit(std::move(track), sighting.time, options.lifecycle);
+    track =
+        grownToAVehicle(std::move(track), m, std::max(track.height, sighting.height), visibility);
+    const VehicleState then =
+        stateAt(track.hypotheses->combined(options.motion), sighting.lag, options.motion);
+    const BoxMeasurement box = boxOf(sighting, m, track, then, visibility);
+    track =
+        updatedBy(box, std::move(track), m, then, sighting.time - track.lastSeen, filter, options);
+    track.told = track.told.with(m);
+    track.around = inFrameOf(then.box(), sighting.around);
+    track.highest = std::max(track.highest, std::min(track.height, sighting.height));
+    track = withEndFollowed(std::move(track), m, visibility);
+    track.state = track.hypotheses->combined(options.motion);
+    track.lastMatch = m.match;
+    track.groundZ = sighting.groundZ;
+    track.height = std::max(sighting.height, 0.95 * track.height + 0.05 * sighting.height);
+    track = withHit(std::move(track), sighting.time, options.lifecycle);
+    const Vector5d& b = box.box;
+    appendToPath(track,
+                 {sighting.time + sighting.lag, {b(0), b(1), b(2), b(3), b(4)}, locatedFaces(m)});
+    return withCheckedHeading(std::move(track), sighting, neighbours, options);
+}
+
+}  // namespace vdamf
