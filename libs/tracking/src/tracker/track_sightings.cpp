@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "tracker/existence.h"
+#include "types/box_changes.h"
 
 namespace vdamf
 {
@@ -102,6 +103,23 @@ Track withEndFollowed(Track track, const Measurement& m, const VisibilityOptions
     return track;
 }
 
+// Of an end alone no row of hits tells the heading as well as a vehicle keeps its own: what seems
+// to turn more than both may err is an error of the fit, about the hits.
+Measurement withUnlikelyTurn(const Measurement& measurement, const VehicleState& foretold,
+                             const Eigen::Vector2d& hits)
+{
+    constexpr double kSigmas = 3.0;
+    if (measurement.facesSeen.seesSide()) return measurement;
+    const double turned = wrapAngle(measurement.box.heading - foretold.mean(kHeading));
+    const double lacking = turned * turned / (kSigmas * kSigmas) - measurement.covariance(2, 2) -
+                           foretold.covariance(kHeading, kHeading);
+    if (lacking <= 0.0) return measurement;
+    const Vector5d turn = byTurn(measurement.box.centre() - hits);
+    Measurement m = measurement;
+    m.covariance += lacking * turn * turn.transpose();
+    return m;
+}
+
 // No smaller than a vehicle of which that is seen (height: m).
 Track grownToAVehicle(Track track, const Measurement& m, double height,
                       const VisibilityOptions& options)
@@ -190,7 +208,8 @@ Track sightedTrack(Track track, const Sighting& sighting, double neighbours,
         grownToAVehicle(std::move(track), m, std::max(track.height, sighting.height), visibility);
     const VehicleState then =
         stateAt(track.hypotheses->combined(options.motion), sighting.lag, options.motion);
-    const BoxMeasurement box = boxOf(sighting, m, track, then, visibility);
+    const BoxMeasurement box = boxOf(sighting, withUnlikelyTurn(m, then, sighting.around.centre()),
+                                     track, then, visibility);
     track =
         updatedBy(box, std::move(track), m, then, sighting.time - track.lastSeen, filter, options);
     track.told = track.told.with(m);

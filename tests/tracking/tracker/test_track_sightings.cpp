@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How a track takes in sightings that are odd.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tracker/track.h"
+
+namespace vdamf
+{
+namespace
+{
+constexpr double kWidth = 1.8;  // m
+
+// The rear of a vehicle that drives ahead, as if it was turned by so much about its rear.
+Sighting rearTurnedBy(double turn, double time)
+{
+    Sighting s;
+    s.time = time;
+    const Eigen::Vector2d rear(17.85 + 6.0 * time, 0.0);
+    const Eigen::Vector2d centre = rear + rotation(turn) * Eigen::Vector2d(2.15, 0.0);
+    s.measurement.box = {centre.x(), centre.y(), turn, 4.3, kWidth};
+    s.measurement.covariance = (Vector5d() << 1e-3, 1e-3, 4e-3, 4.0, 1e-2).finished().asDiagonal();
+    s.measurement.facesSeen.add(Face::Back);
+    s.measurement.hits = 30;
+    s.measurement.match = 0.5;
+    s.around = {rear.x(), rear.y(), turn, 0.1, kWidth};
+    s.height = 1.4;
+    s.end = {kWidth, 25.0};
+    return s;
+}
+
+// Half turns away, rad.
+double turnAfter(double turn)
+{
+    const TrackerOptions options;
+    VehicleKalmanFilter filter(options.motion);
+    Track track = startedTrack(1, rearTurnedBy(0.0, 0.0), {0.0, 16.0}, options);
+    for (int k = 1; k < 20; ++k)
+    {
+        track = predictedTrack(std::move(track), 0.1, {0.0, 0.0}, filter, options.motion);
+        const double now = k == 19 ? turn : 0.0;
+        track = sightedTrack(std::move(track), rearTurnedBy(now, 0.1 * k), 0.0, filter, options);
+    }
+    return std::remainder(track.state.mean(kHeading), kPi);
+}
+
+TEST(TrackSightings, AnEndAloneThatSeemsToTurnAtOnceTellsLittle)
+{
+    EXPECT_NEAR(turnAfter(0.0), 0.0, 1e-3);
+    EXPECT_GT(turnAfter(0.1), 0.005) << "what may be is believed as far as it is known";
+    EXPECT_LT(std::abs(turnAfter(0.45)), 0.12);
+}
+
+}  // namespace
+}  // namespace vdamf
