@@ -6,6 +6,9 @@
 
 #include <cmath>
 
+#include "tracking/estimation/measured_vehicles.h"
+#include "vdamf/tracking/estimation/visibility.h"
+
 namespace vdamf
 {
 namespace
@@ -133,6 +136,90 @@ TEST(StartState, OfASliceTheLengthIsAsOpenAsAVehicles)
     rear(kX) = 1.0;
     rear(kLength) = -0.5;
     EXPECT_LT(rear.dot(state.covariance * rear), 0.1 * 0.1);
+}
+
+TEST(StartState, AssumesACarBehindACarsEnd)
+{
+    const MotionOptions motion;
+    const VisibilityOptions options;
+    const auto start =
+        [&](double length, double width, const VisibilityOptions& o, double height = 1.5)
+    {
+        return startState(measured({10, 0, 0, length, width}, faces({Face::Back})), height, {0, 0},
+                          {0.0, 8.0}, o, motion);
+    };
+    const VehicleState rear = start(1.0, 1.7, options);
+    EXPECT_NEAR(rear.mean(kLength), options.carLength, 1e-3);
+    EXPECT_NEAR(rear.mean(kX), 9.5 + 0.5 * options.carLength, 1e-3);
+    // The centre is as uncertain as half the length.
+    EXPECT_NEAR(rear.covariance(kX, kX), 0.25 * options.carLengthSigma * options.carLengthSigma,
+                0.01);
+    EXPECT_EQ(rear.covariance(kSpeed, kSpeed), 64.0);
+    EXPECT_NEAR(start(0.9, 0.7, options).mean(kLength), 0.9, 1e-3);
+    const VehicleState van = start(1.0, 2.0, options, 2.3);
+    EXPECT_GT(van.mean(kLength), rear.mean(kLength) + 0.4);
+    EXPECT_GT(van.covariance(kLength, kLength), rear.covariance(kLength, kLength));
+    const VehicleState flat = start(1.0, 1.7, options, 0.6);
+    EXPECT_EQ(flat.mean(kLength), rear.mean(kLength)) << "no lower than a car: a part of it";
+    VisibilityOptions plain;
+    plain.assumeVehicleSize = false;
+    EXPECT_NEAR(start(1.0, 1.7, plain).mean(kLength), 1.0, 1e-3);
+}
+
+// A minute of an end alone tells nothing of the length.
+TEST(GrownToAVehicle, LengthFollowsTheWidthOfTheEndAndTheRearStays)
+{
+    const VisibilityOptions o;
+    VehicleState half;
+    half.mean << 20.0, 0.0, 0.0, 8.0, 0.0, 0.4, 1.2;
+    half.covariance.diagonal().setConstant(0.01);
+    half.width = 1.7;
+    const Measurement rear = measured({20.0, 0.0, 0.0, 1.2, 1.75}, faces({Face::Back}));
+    const VehicleState grown = grownToAVehicle(half, rear, 1.5, SizesTold(), o);
+    const double length = carLength(1.5, 1.7, o).metres;
+    EXPECT_NEAR(grown.mean(kLength), length, 1e-9);
+    EXPECT_NEAR(grown.mean(kX) - 0.5 * grown.mean(kLength), 20.0 - 0.6, 1e-9);
+    EXPECT_NEAR(grown.mean(kAxis) - half.mean(kAxis), 0.5 * (length - 1.2), 1e-9);
+    EXPECT_EQ(grown.mean(kSpeed), 8.0);
+    EXPECT_GT(grown.covariance(kLength, kLength), 0.9 * o.carLengthSigma * o.carLengthSigma);
+
+    EXPECT_EQ(grownToAVehicle(half, rear, 1.5, {true, true}, o).mean, half.mean)
+        << "length is known";
+    half.width = 2.5;
+    const Measurement truck = measured({20.0, 0.0, 0.0, 1.2, 2.5}, faces({Face::Back}));
+    EXPECT_GT(grownToAVehicle(half, truck, 3.0, SizesTold(), o).mean(kLength), 6.0);
+    EXPECT_EQ(grownToAVehicle(half, truck, 1.5, SizesTold(), o).mean, half.mean) << "no truck";
+    half.width = 0.6;
+    const Measurement person = measured({20.0, 0.0, 0.0, 1.2, 0.6}, faces({Face::Back}));
+    EXPECT_EQ(grownToAVehicle(half, person, 1.5, SizesTold(), o).mean, half.mean);
+}
+
+// A car whose end was seen through a gap, so that it seemed as narrow as that.
+TEST(GrownToAVehicle, WidthFollowsTheLengthOfTheSideAndTheSideStays)
+{
+    const VisibilityOptions o;
+    VehicleState slice;
+    slice.mean << 20.0, 3.0, 0.0, 0.0, 0.0, 1.2, 4.2;
+    slice.covariance.diagonal().setConstant(0.01);
+    slice.width = 0.9;
+    const Measurement side = measured({20.0, 3.0, 0.0, 4.2, 0.9}, faces({Face::Right}));
+    for (const SizesTold& told : {SizesTold(), SizesTold{true, true}})
+    {
+        const VehicleState grown = grownToAVehicle(slice, side, 1.5, told, o);
+        EXPECT_NEAR(grown.width, o.carWidth, 1e-9);
+        EXPECT_NEAR(grown.mean(kY) - 0.5 * grown.width, 3.0 - 0.45, 1e-9);
+        EXPECT_EQ(grown.mean(kLength), 4.2);
+        EXPECT_NEAR(grown.widthVariance, o.carWidthSigma * o.carWidthSigma, 1e-9);
+    }
+    Measurement motorcycle = side;
+    motorcycle.box.length = 2.2;
+    EXPECT_EQ(grownToAVehicle(slice, motorcycle, 1.5, SizesTold(), o).width, 0.9);
+    slice.width = 1.6;
+    EXPECT_EQ(grownToAVehicle(slice, side, 1.5, {true, true}, o).width, 1.6) << "width is known";
+    slice.mean(kLength) = 9.0;
+    slice.width = 0.9;
+    const Measurement truck = measured({20.0, 3.0, 0.0, 9.0, 0.9}, faces({Face::Right}));
+    EXPECT_GT(grownToAVehicle(slice, truck, 3.0, SizesTold(), o).width, 2.0);
 }
 
 }  // namespace
