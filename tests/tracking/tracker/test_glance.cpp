@@ -93,6 +93,21 @@ Tracker trackerThatTakesAllFor(double logOdds)
     return Tracker(options);
 }
 
+// Of each frame that shows a standing body, the only track.
+std::vector<TrackReport> tracksOf(const ExampleBody& body, double logOdds, int frames)
+{
+    Tracker tracker = trackerThatTakesAllFor(logOdds);
+    std::vector<TrackReport> tracks;
+    for (int k = 0; k < frames; ++k)
+    {
+        const FrameResult result = tracker.process(
+            exampleFrame(0.1 * k, {0.0, 0.0}, {body}, 100U + static_cast<unsigned>(k)));
+        EXPECT_EQ(result.tracks.size(), 1U);
+        tracks.push_back(result.tracks.empty() ? TrackReport() : result.tracks.front());
+    }
+    return tracks;
+}
+
 // Frames in which a standing body was seen and in which it was measured.
 struct Looks
 {
@@ -102,16 +117,12 @@ struct Looks
 
 Looks looksAtABody(double logOdds)
 {
-    Tracker tracker = trackerThatTakesAllFor(logOdds);
+    const std::vector<TrackReport> tracks =
+        tracksOf({{14.0, 4.0, 0.0, 4.0, 1.8}, 1.5, {0.0, 0.0}}, logOdds, 30);
     Looks looks;
-    for (int k = 0; k < 30; ++k)
+    for (std::size_t k = 10; k < tracks.size(); ++k)
     {
-        const std::vector<ExampleBody> bodies{{{14.0, 4.0, 0.0, 4.0, 1.8}, 1.5, {0.0, 0.0}}};
-        const FrameResult result = tracker.process(
-            exampleFrame(0.1 * k, {0.0, 0.0}, bodies, 100U + static_cast<unsigned>(k)));
-        EXPECT_EQ(result.tracks.size(), 1U);
-        if (k < 10 || result.tracks.size() != 1) continue;
-        const TrackReport& track = result.tracks.front();
+        const TrackReport& track = tracks[k];
         EXPECT_EQ(track.id, 1U);
         EXPECT_EQ(track.status, TrackStatus::Confirmed);
         EXPECT_LT(std::abs(track.speed), 0.15);
@@ -138,17 +149,7 @@ TEST(Glance, SavesMostMeasurementsOfClutterAndNoneOfVehicles)
 // What a tracker that takes all for the same reports of a post 0.6 m wide, 14 m ahead.
 OrientedBox boxOfAPost(double logOdds)
 {
-    Tracker tracker = trackerThatTakesAllFor(logOdds);
-    OrientedBox box;
-    for (int k = 0; k < 10; ++k)
-    {
-        const std::vector<ExampleBody> bodies{{{14.0, 0.0, 0.0, 0.6, 0.6}, 1.5, {0.0, 0.0}}};
-        const FrameResult result = tracker.process(
-            exampleFrame(0.1 * k, {0.0, 0.0}, bodies, 100U + static_cast<unsigned>(k)));
-        EXPECT_EQ(result.tracks.size(), 1U);
-        if (result.tracks.size() == 1) box = result.tracks.front().box;
-    }
-    return box;
+    return tracksOf({{14.0, 0.0, 0.0, 0.6, 0.6}, 1.5, {0.0, 0.0}}, logOdds, 10).back().box;
 }
 
 TEST(Clutter, IsReportedAsLargeAsItsHits)
