@@ -4,10 +4,11 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <cmath>
 #include <random>
+
+#include "tracking/decompositions.h"
 
 namespace vdamf
 {
@@ -224,12 +225,9 @@ TEST(VehicleKalmanFilter, IsConsistent)
     std::normal_distribution<double> gauss;
     const auto sample = [&](const StateMatrix& covariance)
     {
-        // Semi-definite: through the robust Cholesky decomposition.
-        const Eigen::LDLT<StateMatrix> ldlt(covariance);
         StateVector u;
-        for (int i = 0; i < 7; ++i)
-            u(i) = gauss(generator) * std::sqrt(std::max(0.0, ldlt.vectorD()(i)));
-        return StateVector(ldlt.transpositionsP().transpose() * (StateMatrix(ldlt.matrixL()) * u));
+        for (double& each : u) each = gauss(generator);
+        return StateVector(squareRoot(covariance) * u);
     };
     const int runs = 100;
     const int steps = 40;
@@ -256,7 +254,7 @@ TEST(VehicleKalmanFilter, IsConsistent)
         }
         StateVector error = s.mean - truth;
         error(kHeading) = wrapAngle(error(kHeading));
-        nees += error.dot(s.covariance.ldlt().solve(error));
+        nees += squaredMahalanobis(error, s.covariance);
     }
     // 95 % bounds: chi-square of 700 degrees of freedom over 100 runs; NIS over 12000 with slack
     // for the linearisation.

@@ -4,11 +4,11 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/LU>
 #include <cmath>
 #include <random>
 #include <vector>
 
+#include "tracking/decompositions.h"
 #include "tracking/matched_filter/example_hits.h"
 #include "vdamf/tracking/matched_filter/measure.h"
 
@@ -190,7 +190,7 @@ TEST(MeasureTarget, FaceLinesKnowHowGoodTheyAre)
         faces(2, 2) = 1.0;
         const Eigen::Vector3d e = faces * error;
         const Eigen::Matrix3d p = faces * m.covariance * faces.transpose();
-        const double one = e.dot(p.inverse() * e);
+        const double one = squaredMahalanobis(e, p);
         nees += one / (3.0 * runs);
         inside95 += one < 7.815 ? 1 : 0;
     }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tracker/existence.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -67,13 +66,20 @@ double shareSeenThrough(const OrientedBox& box, const OpenView& view)
     return static_cast<double>(through) / kRays;
 }
 
+// One sigma along the longer axis of the ellipse.
+Eigen::Vector2d longestSigma(const Eigen::Matrix2d& covariance)
+{
+    const double mean = 0.5 * covariance.trace();
+    const double halfDifference = 0.5 * (covariance(0, 0) - covariance(1, 1));
+    const double longer = mean + std::hypot(halfDifference, covariance(0, 1));
+    const double direction = 0.5 * std::atan2(covariance(0, 1), halfDifference);
+    return std::sqrt(std::max(0.0, longer)) * rotation(direction).col(0);
+}
+
 double shareSeenThrough(const Track& track, const OpenView& view)
 {
     constexpr double kSigmas[3] = {-2.0, 0.0, 2.0};
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> position(
-        track.state.covariance.topLeftCorner<2, 2>());
-    const Eigen::Vector2d sigma =
-        std::sqrt(std::max(0.0, position.eigenvalues()(1))) * position.eigenvectors().col(1);
+    const Eigen::Vector2d sigma = longestSigma(track.state.covariance.topLeftCorner<2, 2>());
     double least = 1.0;
     for (const double sigmas : kSigmas)
     {
