@@ -37,7 +37,7 @@ struct FitOptions
     int maxIterations = 40;
     double tolerance = 1e-3;  ///< on the step, m and rad
     double minLength = 0.9;   ///< m; below the strips' 0.8 m the regions would overlap
-    double maxLength = 25.0;  ///< m
+    double maxLength = 30.0;  ///< m
     double minWidth = 0.7;    ///< m
     double maxWidth = 3.5;    ///< m
 

@@ -23,7 +23,7 @@ struct LifecycleOptions
 {
     int minHits = 10;
     double minHeight = 0.4;   ///< m
-    double maxExtent = 25.0;  ///< m
+    double maxExtent = 30.0;  ///< m
     int confirmHits = 3;
     double confirmAxes = 0.9;
     double confirmSpeedSigma = 2.0;  ///< m/s
