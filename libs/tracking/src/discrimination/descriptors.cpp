@@ -90,8 +90,7 @@ LowSums lowSums(const CanonicalHits& hits, float highest)
             load(x, px + first, count);
             load(y, py + first, count);
             load(z, pz + first, count);
-            constexpr Floats kNumbers = {0, 1, 2, 3, 4, 5, 6, 7};
-            const Floats one = (z <= highest) & (kNumbers < static_cast<float>(count))
+            const Floats one = (z <= highest) & (kLaneNumbers < static_cast<float>(count))
                                    ? Floats{} + 1.0F
                                    : Floats{};
             const Floats far = x < 0.0F ? -x : x;

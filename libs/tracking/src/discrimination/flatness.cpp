@@ -39,14 +39,13 @@ Moments momentsOf(const CanonicalHits& hits, const std::vector<float>& depths, f
         Floats n{}, sx{}, sy{}, sz{}, xx{}, xy{}, xz{}, yy{}, yz{}, zz{};
         const auto add = [&](std::size_t first, std::size_t count) __attribute__((always_inline))
         {
-            constexpr Floats kNumbers = {0, 1, 2, 3, 4, 5, 6, 7};
             Floats x, y, z, depth;
             load(x, px + first, count);
             load(y, py + first, count);
             load(z, pz + first, count);
             load(depth, pd + first, count);
             const auto counts =
-                (depth <= reach) & (depth >= -reach) & (kNumbers < static_cast<float>(count));
+                (depth <= reach) & (depth >= -reach) & (kLaneNumbers < static_cast<float>(count));
             // From the middle of a car, so that squares keep their digits.
             const Floats none{};
             x = counts ? x - 2.0F : none;

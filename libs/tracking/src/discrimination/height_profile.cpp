@@ -25,12 +25,11 @@ std::optional<HeightBand> bandOf(const CanonicalHits& hits, float from, float to
         Floats n{}, sx{}, sxx{}, sy{}, syy{};
         const auto add = [&](std::size_t first, std::size_t count) __attribute__((always_inline))
         {
-            constexpr Floats kNumbers = {0, 1, 2, 3, 4, 5, 6, 7};
             Floats x, y, z;
             load(x, px + first, count);
             load(y, py + first, count);
             load(z, pz + first, count);
-            const auto isIn = (z >= from) & (z < to) & (kNumbers < static_cast<float>(count));
+            const auto isIn = (z >= from) & (z < to) & (kLaneNumbers < static_cast<float>(count));
             const Floats none{};
             x = isIn ? x : none;
             y = isIn ? y : none;

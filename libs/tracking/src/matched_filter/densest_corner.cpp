@@ -78,7 +78,7 @@ public:
                 load(aBefore, even + k - 1);
                 load(bBefore, odd + k - 1);
                 const Floats both = (aBefore + bBefore) + (a + b);
-                const Floats at = static_cast<float>(k) + kNumbers;
+                const Floats at = static_cast<float>(k) + kLaneNumbers;
                 const auto isNew = (both > heaviest.weight) & (at < static_cast<float>(end));
                 heaviest.weight = isNew ? both : heaviest.weight;
                 heaviest.at = isNew ? at : heaviest.at;
@@ -97,7 +97,6 @@ public:
 
 private:
     static constexpr std::size_t kPadding = kLanes<Floats>;
-    static constexpr Floats kNumbers = {0, 1, 2, 3, 4, 5, 6, 7};
     struct Heaviest
     {
         Floats weight{};

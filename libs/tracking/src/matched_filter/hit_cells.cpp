@@ -50,9 +50,8 @@ CellRange rangeOf(const Cluster& cluster, double perMetre)
             Floats x, y;
             load(x, px + first, count);
             load(y, py + first, count);
-            constexpr Floats kNumbers = {0, 1, 2, 3, 4, 5, 6, 7};
             const auto usable = (x < kFarthest) & (x > -kFarthest) & (y < kFarthest) &
-                                (y > -kFarthest) & (kNumbers < static_cast<float>(count));
+                                (y > -kFarthest) & (kLaneNumbers < static_cast<float>(count));
             minX = usable & (x < minX) ? x : minX;
             maxX = usable & (x > maxX) ? x : maxX;
             minY = usable & (y < minY) ? y : minY;

@@ -152,11 +152,10 @@ WeightedSums sumsAbout(const CellHits& points, const GroundPlane& plane, float w
             load(x, px + first, count);
             load(y, py + first, count);
             load(z, pz + first, count);
-            constexpr Floats kNumbers = {0, 1, 2, 3, 4, 5, 6, 7};
             const Floats e = z - plane.height - plane.slopeX * x - plane.slopeY * y;
             const Floats u = e * perWidth;
             const Floats off = 1.0F - u * u;
-            const auto counts = (off > 0.0F) & (kNumbers < static_cast<float>(count));
+            const auto counts = (off > 0.0F) & (kLaneNumbers < static_cast<float>(count));
             const Floats weight = counts ? off * off : Floats{};
             w += weight;
             wx += weight * x;

@@ -15,6 +15,9 @@ typedef double Doubles __attribute__((vector_size(32)));      // 4
 template <class Lanes>
 inline constexpr std::size_t kLanes = sizeof(Lanes) / sizeof(Lanes{}[0]);
 
+/// Each lane's own: `kLaneNumbers < count` tells the first `count` from the others.
+inline constexpr Floats kLaneNumbers = {0, 1, 2, 3, 4, 5, 6, 7};
+
 /// Loads the first `count` numbers; the others become zero.
 template <class Lanes, class Number>
 [[gnu::always_inline]] inline void load(Lanes& lanes, const Number* from,
