@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "estimation/fixed_point.h"
+
 namespace vdamf
 {
 namespace
@@ -14,57 +16,12 @@ constexpr double kLeastOfPlace = 0.1;
 constexpr double kLeastOfHeading = 0.3;
 constexpr double kSurprise = 4.0;  // of one measurement, over its variance, at most
 
-// d (fixed point along and across, heading, length, width) / d (x, y, heading, length, width).
-Matrix5d toFixedPoint(const BoxMeasurement& m)
-{
-    const Eigen::Vector2d offset = 0.5 * m.fixedPoint.cwiseProduct(m.box.tail<2>());
-    Matrix5d j = Matrix5d::Identity();
-    j.topLeftCorner<2, 2>() = rotation(-m.box(2));
-    j.block<2, 1>(0, 2) = Eigen::Vector2d(-offset.y(), offset.x());
-    j.block<2, 2>(0, 3) = (0.5 * m.fixedPoint).asDiagonal();
-    return j;
-}
-
-// The other way round.
-Matrix5d fromFixedPoint(const BoxMeasurement& m)
-{
-    const Matrix5d there = toFixedPoint(m);
-    const Eigen::Matrix2d r = rotation(m.box(2));
-    Matrix5d j = Matrix5d::Identity();
-    j.topLeftCorner<2, 2>() = r;
-    j.topRightCorner<2, 3>() = -r * there.topRightCorner<2, 3>();
-    return j;
-}
-
-Matrix5d covarianceAtFixedPoint(const BoxMeasurement& m)
-{
-    const Matrix5d there = toFixedPoint(m);
-    return there * m.covariance * there.transpose();
-}
-
-// The covariance with the errors of the fixed point and the heading times `pose`, those of sizes
-// times `size`.
-Matrix5d scaled(const BoxMeasurement& m, const Matrix5d& atFixedPoint, const Eigen::Vector3d& pose,
-                double size)
-{
-    Vector5d factors;
-    factors << pose, size, size;
-    const Matrix5d back = fromFixedPoint(m) * factors.asDiagonal();
-    return back * atFixedPoint * back.transpose();
-}
-
-// What lasts is no larger than this: where a fit itself says that it does not know, as where a row
-// of hits may go on, its error comes and goes with the view.
-constexpr double kLastingPlace = 0.05;     // m
-constexpr double kLastingHeading = 0.006;  // rad
-
 Eigen::Vector3d shareOfJitter(const Matrix5d& atFixedPoint, const JitterShares& shares)
 {
     Eigen::Vector3d share = shares.values();
     for (Eigen::Index k = 0; k < 3; ++k)
     {
-        const double lasting = k == 2 ? kLastingHeading : kLastingPlace;
-        share(k) = std::max(share(k), 1.0 - lasting * lasting / atFixedPoint(k, k));
+        share(k) = std::max(share(k), 1.0 - mostLasting(k) / atFixedPoint(k, k));
     }
     return share;
 }
@@ -77,6 +34,13 @@ Innovation inBody(const Innovation& innovation, double heading)
     return {r * innovation.value, r * innovation.covariance * r.transpose()};
 }
 }  // namespace
+
+double mostLasting(Eigen::Index row)
+{
+    constexpr double kPlace = 0.05;     // m
+    constexpr double kHeading = 0.006;  // rad
+    return row == 2 ? kHeading * kHeading : kPlace * kPlace;
+}
 
 JitterShares JitterShares::after(const VehicleState& predicted, const BoxMeasurement& measurement,
                                  double dt) const

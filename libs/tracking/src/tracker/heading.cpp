@@ -163,6 +163,7 @@ Track quarterTurned(const Track& track, const Sighting& sighting, int quarters,
     Track next = track;
     next.state = fresh.state;
     next.measurement = fresh.measurement;
+    next.errors = fresh.errors;
     next.around = fresh.around;
     next.assumedLength = fresh.assumedLength;
     *next.hypotheses = hypothesesFrom(next.state, options.motion);
@@ -197,6 +198,7 @@ Track reversed(const Track& track, const MotionOptions& motion)
     next.hypotheses->free.mean(kHeading) = wrapAngle(track.hypotheses->free.mean(kHeading) + kPi);
     next.state = next.hypotheses->combined(motion);
     next.measurement = alignedWith(*track.measurement, next.state.mean(kHeading));
+    next.errors.fixedPoint = -track.errors.fixedPoint;
     next.around.x = -track.around.x;
     next.around.y = -track.around.y;
     return next;

@@ -11,25 +11,7 @@ namespace vdamf
 {
 namespace
 {
-// Of (x, y, heading, speed): the filter's, and what lasts of the errors.
-Eigen::Matrix4d toldCovariance(const Track& track, const VisibilityOptions& options)
-{
-    Eigen::Matrix4d covariance = track.state.covariance.topLeftCorner<4, 4>();
-    // The centre errs by half of what the length and the width do.
-    const Eigen::Matrix2d axes = rotation(track.state.mean(kHeading));
-    const Eigen::Vector2d bySize(0.25 * std::pow(options.lastingSize, 2),
-                                 0.25 * track.state.widthVariance);
-    covariance.topLeftCorner<2, 2>() += axes * bySize.asDiagonal() * axes.transpose();
-    covariance.topLeftCorner<3, 3>() += track.lastingError;
-    // What lasts of the measurements' errors is at least what the options say.
-    const auto lacking = [](double least, double known)
-    { return std::max(0.0, least * least - known); };
-    const double position =
-        lacking(options.lastingPosition, 0.5 * track.lastingError.topLeftCorner<2, 2>().trace());
-    const double heading = lacking(options.lastingHeading, track.lastingError(2, 2));
-    covariance.diagonal() += Eigen::Vector4d(position, position, heading, 0.0);
-    return covariance;
-}
+constexpr double kMemory = 1.5;  // s, of views, as that of the jitter that they show
 }  // namespace
 
 OrientedBox Track::boxOfHits() const
@@ -62,7 +44,9 @@ Track predictedTrack(Track track, double dt, const Eigen::Vector2d& sensor,
     const View before = viewOf(track.hypotheses->driving.front().box(), track.seenFrom);
     const MotionHypotheses later = predicted(*track.hypotheses, dt, filter, options);
     const View now = viewOf(later.driving.front().box(), sensor);
-    *track.hypotheses = drifted(later, track.lastingError, changeOfView(before, now));
+    const double viewChange = changeOfView(before, now);
+    *track.hypotheses = drifted(later, track.lastingError, viewChange);
+    track.viewChanged = track.viewChanged * std::exp(-dt / kMemory) + viewChange;
     track.seenFrom = sensor;
     if (track.misses > 0) *track.hypotheses = unseen(*track.hypotheses, dt);
     track.state = track.hypotheses->combined(options);
@@ -92,7 +76,7 @@ TrackReport reportOf(const Track& track, const OrientedBox& extent,
     report.yawRate = track.state.yawRate();
     report.forwardProbability = track.front.forwardProbability();
     report.type = track.type;
-    report.covariance = toldCovariance(track, options);
+    report.covariance = toldCovariance(track.state, track.errors, options);
     const double size = std::pow(options.lastingSize, 2);
     report.lengthVariance = track.state.covariance(kLength, kLength) + size;
     report.widthVariance = track.state.widthVariance + size;

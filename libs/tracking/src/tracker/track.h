@@ -15,6 +15,7 @@
 #include "vdamf/tracking/estimation/jitter.h"
 #include "vdamf/tracking/estimation/motion_hypotheses.h"
 #include "vdamf/tracking/estimation/start_state.h"
+#include "vdamf/tracking/estimation/told_errors.h"
 #include "vdamf/tracking/estimation/view.h"
 #include "vdamf/tracking/tracker/tracker.h"
 
@@ -48,6 +49,8 @@ struct Track
     JitterShares jitter;
     Eigen::Matrix3d lastingError =
         Eigen::Matrix3d::Zero();                         ///< of the last sighting: x, y, heading
+    ToldErrors errors;                                   ///< by the last sighting, as reported
+    double viewChanged = 0.0;                            ///< of late, as changeOfView() counts
     Eigen::Vector2d seenFrom = Eigen::Vector2d::Zero();  ///< sensor of the last frame, m
     double groundZ = 0.0;
     double height = 0.0;

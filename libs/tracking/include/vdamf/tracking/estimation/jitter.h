@@ -27,9 +27,13 @@ private:
     Eigen::Vector3d shares_ = Eigen::Vector3d::Ones();
 };
 
+/// Variance (m^2 or rad^2) of an error that lasts, of the fixed point along (0) and across (1) and
+/// of the heading (2), at most: 5 cm, 0.35 degrees. Where a fit itself says that it does not know,
+/// as where a row of hits may go on, its error comes and goes with the view.
+double mostLasting(Eigen::Index row);
+
 /// The measurement with these shares of its variances, and with all of what is larger than errors
-/// of a fit to a body's faces can be (5 cm, 0.35 degrees): that comes and goes with the view. Sizes
-/// keep theirs: whether they err with the frame or for long is not to be seen.
+/// that last. Sizes keep theirs: whether they err with the frame or for long is not to be seen.
 BoxMeasurement withJitterAlone(const BoxMeasurement& measurement, const JitterShares& shares);
 
 /// What that leaves out: covariance of (x, y, heading) at the box's centre, m and rad.

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Monte Carlo of what tracks say of their poses: simulated vehicles of several shapes and sizes err
+// as much as that.
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+#include <cmath>
+#include <string>
+
+#include "tracking/tracker/simulated_frames.h"
+
+namespace vdamf
+{
+namespace
+{
+constexpr int kSeeds = 9;
+
+std::string sceneOf(const std::string& platform, const std::string& vehicle, int seed)
+{
+    const char* shapes[] = {"car", "hatchback", "suv"};
+    return "[scenario]\nduration_s = 4\nseed = 1\n[sensor]\nx_m = 0.8\nz_m = 1.9\n[platform]\n" +
+           platform + "\n[object seen]\nclass = " + shapes[seed % 3] +
+           "\nlength_m = " + std::to_string(3.7 + 0.15 * seed) + "\n" + vehicle;
+}
+
+// Mean errors squared over what is told of them, of the last two seconds.
+struct MeanNees
+{
+    double pose = 0.0;
+    double heading = 0.0;
+    int frames = 0;
+};
+
+void add(const Scenario& scenario, MeanNees& mean)
+{
+    for (const Seen& seen : trackedObjects(scenario)["seen"])
+    {
+        if (seen.time < 2.0 || seen.tracks.empty()) continue;
+        const TrackReport& track = seen.tracks.front();
+        const double turned = std::remainder(track.box.heading - seen.truth.box.heading, kPi);
+        if (std::abs(turned) > 0.25 * kPi) continue;  // its axes are exchanged
+        Eigen::Vector3d error;
+        error << track.box.centre() - seen.truth.box.centre(), turned;
+        mean.pose += error.dot(track.covariance.topLeftCorner<3, 3>().inverse() * error) / 3.0;
+        mean.heading += turned * turned / track.covariance(2, 2);
+        ++mean.frames;
+    }
+}
+
+TEST(ToldPose, IsAsSureOfWhatIsFollowedAsItErrs)
+{
+    MeanNees mean;
+    for (int seed = 0; seed < kSeeds; ++seed)
+    {
+        const std::string ahead = std::to_string(14 + 2 * seed);
+        add(scenarioOf(sceneOf("speed_mps = 12\ny_m = 0.3",
+                               "speed_mps = 12\ny_m = 0\nx_m = " + ahead, seed),
+                       seed + 1),
+            mean);
+    }
+    ASSERT_GT(mean.frames, 12 * kSeeds);
+    EXPECT_GT(mean.heading / mean.frames, 0.7);
+    EXPECT_LT(mean.heading / mean.frames, 1.5);
+    EXPECT_GT(mean.pose / mean.frames, 0.55);
+    EXPECT_LT(mean.pose / mean.frames, 1.5);
+}
+
+TEST(ToldPose, DoesNotTakeHitsThatComeAgainForSure)
+{
+    MeanNees mean;
+    for (int seed = 0; seed < kSeeds; ++seed)
+    {
+        const std::string heading = std::to_string(176 + seed);
+        add(scenarioOf(sceneOf("speed_mps = 0",
+                               "y_m = -6\nx_m = " + std::to_string(22 + seed) +
+                                   "\nheading_deg = " + heading,
+                               seed),
+                       seed + 1),
+            mean);
+    }
+    ASSERT_GT(mean.frames, 12 * kSeeds);
+    EXPECT_LT(mean.heading / mean.frames, 2.0);
+    EXPECT_GT(mean.heading / mean.frames, 0.4);
+    EXPECT_LT(mean.pose / mean.frames, 1.5);
+}
+
+}  // namespace
+}  // namespace vdamf
