@@ -6,6 +6,8 @@
 
 #include <cmath>
 
+#include "tracking/decompositions.h"
+
 namespace vdamf
 {
 namespace
@@ -34,6 +36,23 @@ TEST(Unseen, WhatStoodSetsOffFromWhereItStood)
         // Where it has gone to is no surer.
         EXPECT_GT(driving.covariance(kX, kX), 0.5);
         EXPECT_EQ(driving.covariance(kCurvature, kCurvature), 2.5e-3);
+    }
+}
+
+// A sharp curvature, known well, against none of what stands.
+TEST(Unseen, CovariancesStayPositive)
+{
+    MotionHypotheses all = seemingly(1.0, 0.5, 0.9);
+    for (VehicleState& driving : all.driving)
+    {
+        driving.mean(kCurvature) = 0.15;
+        driving.covariance(kCurvature, kCurvature) = 1e-4;
+    }
+    for (int frame = 0; frame < 20; ++frame)
+    {
+        all = unseen(all, kFrame);
+        for (const VehicleState& driving : all.driving)
+            EXPECT_GE(smallestEigenvalue(driving.covariance), 0.0) << frame;
     }
 }
 

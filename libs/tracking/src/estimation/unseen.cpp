@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vdamf/tracking/estimation/unseen.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "estimation/mixed.h"
@@ -21,8 +22,9 @@ MotionHypotheses unseen(const MotionHypotheses& hypotheses, double dt)
     {
         const double curvature = state.covariance(kCurvature, kCurvature);
         state = mixed(state, hypotheses.standing, share);
-        // Where it steers is as open as it was.
-        state.covariance(kCurvature, kCurvature) = curvature;
+        // Where it steers is as open as it was, at least.
+        double& mixedCurvature = state.covariance(kCurvature, kCurvature);
+        mixedCurvature = std::max(mixedCurvature, curvature);
     }
     return next;
 }
