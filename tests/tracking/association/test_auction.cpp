@@ -118,5 +118,16 @@ TEST(AssignClusters, VagueAlongTheWayReachesAlongTheWay)
     EXPECT_TRUE(takes(line({9.0, 2.9}, {11.5, 2.9})));
 }
 
+TEST(AssignClusters, AVehicleIsNoPartOfTheHedgeAroundIt)
+{
+    const std::vector<Hits> clusters{line({8.0, -0.9}, {12.0, -0.9})};
+    PredictedTarget hedge{{10.0, 0.0, 0.0, 12.0, 3.0}, {0.1, 0.1}};
+    EXPECT_EQ(assignClusters({hedge}, clusters, {}, {true}), (Assignment{{0}}));
+    hedge.isClutter = true;
+    EXPECT_EQ(assignClusters({hedge}, clusters, {}, {false}), (Assignment{{0}}));
+    EXPECT_EQ(assignClusters({hedge}, clusters, {}, {true}), (Assignment{{}}));
+    EXPECT_EQ(assignClusters({hedge, car(10.0, 0.0)}, clusters, {}, {true}), (Assignment{{}, {0}}));
+}
+
 }  // namespace
 }  // namespace vdamf

@@ -70,5 +70,17 @@ TEST(Duplicates, AnEndedTrackEndsNoOther)
     EXPECT_EQ(goingOn({}), Ids{});
 }
 
+TEST(Duplicates, AHedgeAroundACarIsNotTheCar)
+{
+    Track hedge = trackAt(1, 10.0);
+    Track car = trackAt(2, 11.0);
+    car.judgement.probability = 0.9;
+    EXPECT_EQ(goingOn({hedge, car}), (Ids{1})) << "it may be the car as well";
+    hedge.judgement.probability = 0.05;
+    EXPECT_EQ(goingOn({hedge, car}), (Ids{2}));
+    std::swap(hedge.id, car.id);
+    EXPECT_EQ(goingOn({car, hedge}), (Ids{1}));
+}
+
 }  // namespace
 }  // namespace vdamf

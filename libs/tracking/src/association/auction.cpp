@@ -79,12 +79,19 @@ Choice chosen(std::vector<Bid> bids, const PredictedTarget& target,
 
 std::vector<std::vector<std::size_t>> assignClusters(const std::vector<PredictedTarget>& targets,
                                                      const std::vector<Hits>& clusters,
-                                                     const AssociationOptions& options)
+                                                     const AssociationOptions& options,
+                                                     const std::vector<bool>& isVehicle)
 {
     const CandidateFinder finder(targets, clusters, options);
     std::vector<std::vector<Candidate>> wishes;
     wishes.reserve(clusters.size());
     for (const Hits& hits : clusters) wishes.push_back(finder.candidates(hits));
+    for (std::size_t i = 0; i < isVehicle.size(); ++i)
+        if (isVehicle[i])
+            wishes[i].erase(std::remove_if(wishes[i].begin(), wishes[i].end(),
+                                           [&](const Candidate& wish)
+                                           { return targets[wish.target].isClutter; }),
+                            wishes[i].end());
 
     std::vector<std::vector<Bid>> held(targets.size());
     std::vector<std::vector<Bid>> bids(targets.size());

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "association/candidates.h"
+#include "types/append_hit.h"
 
 namespace vdamf
 {
@@ -93,15 +94,6 @@ std::vector<std::size_t> targetsOn(const Hits& hits, const std::vector<std::size
     }
     return sharing;
 }
-
-void append(Cluster& to, const Cluster& from, std::size_t i)
-{
-    to.x.push_back(from.x[i]);
-    to.y.push_back(from.y[i]);
-    to.z.push_back(from.z[i]);
-    to.height.push_back(from.height[i]);
-    if (!from.time.empty()) to.time.push_back(from.time[i]);
-}
 }  // namespace
 
 std::vector<SharedCluster> sharedClusters(const std::vector<PredictedTarget>& targets,
@@ -137,7 +129,7 @@ std::vector<Cluster> cutBetween(const Cluster& cluster, const std::vector<Predic
             if (square < least) nearest = k;
             least = std::min(least, square);
         }
-        append(pieces[nearest], cluster, i);
+        appendHit(pieces[nearest], cluster, i);
     }
     pieces.erase(std::remove_if(pieces.begin(), pieces.end(),
                                 [](const Cluster& piece) { return piece.size() == 0; }),

@@ -35,6 +35,30 @@ bool Discriminator::mayTellMore(const Track& track, std::size_t hits) const
     return ratio > kAlike || ratio * kAlike < 1.0;
 }
 
+ObjectView Discriminator::viewOf(const Measurement& measurement, const SegmentedFrame& frame,
+                                 const std::vector<std::size_t>& clusters) const
+{
+    ObjectView view;
+    view.box = measurement.box;
+    view.sensor = frame.sensor;
+    view.match = measurement.match;
+    view.frameHits = frame.points;
+    view.planar = frame.planar;
+    for (const std::size_t k : clusters) view.clusters.push_back(&frame.clusters[k]);
+    return view;
+}
+
+double Discriminator::vehicleProbability(const Measurement& measurement,
+                                         const SegmentedFrame& frame,
+                                         const std::vector<std::size_t>& clusters) const
+{
+    if (options_.isOff()) return 0.5;
+    std::size_t hits = 0;
+    for (const std::size_t k : clusters) hits += frame.clusters[k].size();
+    const double score = objectScore(viewOf(measurement, frame, clusters), model());
+    return toProbability(frameLogOdds(model().frame, score, hits));
+}
+
 Judgement Discriminator::judged(const Track& track, const SegmentedFrame& frame,
                                 const std::vector<std::size_t>& clusters) const
 {
@@ -42,18 +66,9 @@ Judgement Discriminator::judged(const Track& track, const SegmentedFrame& frame,
     if (options_.isOff() || track.hits == 0) return next;
     if (track.measurement)
     {
-        ObjectView view;
-        view.box = track.measurement->box;
-        view.sensor = frame.sensor;
-        view.match = track.measurement->match;
-        view.frameHits = frame.points;
-        view.planar = frame.planar;
+        const ObjectView view = viewOf(*track.measurement, frame, clusters);
         std::size_t hits = 0;
-        for (const std::size_t k : clusters)
-        {
-            view.clusters.push_back(&frame.clusters[k]);
-            hits += frame.clusters[k].size();
-        }
+        for (const std::size_t k : clusters) hits += frame.clusters[k].size();
         if (mayTellMore(track, hits))
         {
             next.logOdds = frameLogOdds(model().frame, objectScore(view, model()), hits);

@@ -6,9 +6,13 @@
 #include <vector>
 
 #include "tracker/track.h"
+#include "vdamf/tracking/discrimination/canonical_frame.h"
 
 namespace vdamf
 {
+/// Probability from which on something is surely a vehicle.
+constexpr double kSurelyAVehicle = 0.8;
+
 /// Evidence of tracks that have hits in a frame.
 class Discriminator
 {
@@ -29,10 +33,16 @@ public:
     /// By all frames of the track; 0.5 where nothing discriminates.
     double vehicleProbability(const Track& track) const;
 
+    /// Of hits measured as that, by this frame alone; 0.5 where nothing discriminates.
+    double vehicleProbability(const Measurement& measurement, const SegmentedFrame& frame,
+                              const std::vector<std::size_t>& clusters) const;
+
     /// The report with the track's probability.
     TrackReport withProbability(TrackReport report, const Track& track) const;
 
 private:
+    ObjectView viewOf(const Measurement& measurement, const SegmentedFrame& frame,
+                      const std::vector<std::size_t>& clusters) const;
     bool mayTellMore(const Track& track, std::size_t hits) const;
     const DiscriminatorModel& model() const;
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "association/plane_index.h"
+#include "tracker/discriminate.h"
 
 namespace vdamf
 {
@@ -19,6 +20,13 @@ bool sameObject(const OrientedBox& a, const OrientedBox& b)
                std::abs(p.y()) < kSameObject * box.width;
     };
     return inside(toBoxFrame(a, b.centre()), a) || inside(toBoxFrame(b, a.centre()), b);
+}
+
+// A hedge around a car is not the car.
+bool isVehicleBesideClutter(const Track& a, const Track& b)
+{
+    return a.judgement.probability > kSurelyAVehicle &&
+           b.judgement.probability < 1.0 - kSurelyAVehicle;
 }
 }  // namespace
 
@@ -38,7 +46,9 @@ std::vector<Track> withDuplicatesEnded(std::vector<Track> tracks,
             if (k >= j || tracks[j].status == TrackStatus::Ended) break;
             if (tracks[k].status == TrackStatus::Ended || !sameObject(extents[k], extents[j]))
                 continue;
-            const bool keepOlder = tracks[k].misses <= tracks[j].misses;
+            const bool keepOlder = isVehicleBesideClutter(tracks[k], tracks[j]) ||
+                                   (tracks[k].misses <= tracks[j].misses &&
+                                    !isVehicleBesideClutter(tracks[j], tracks[k]));
             (keepOlder ? tracks[j] : tracks[k]).status = TrackStatus::Ended;
         }
     }

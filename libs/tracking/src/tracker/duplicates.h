@@ -9,8 +9,9 @@
 namespace vdamf
 {
 /// The same tracks; of two on one object the older one stays, unless it was lost from sight for
-/// longer, and the other one is ended. `extents`: what each of them covers, m; of what is no
-/// vehicle its hits, not the box of the vehicle that it could have been.
+/// longer, or is clutter and the other one surely a vehicle, and the other one is ended. `extents`:
+/// what each of them covers, m; of what is no vehicle its hits, not the box of the vehicle that it
+/// could have been.
 std::vector<Track> withDuplicatesEnded(std::vector<Track> tracks,
                                        const std::vector<OrientedBox>& extents);
 

@@ -101,18 +101,6 @@ std::vector<std::size_t> partners(const SegmentedFrame& frame, const std::vector
     return partner;
 }
 
-// With length and width exchanged where the sizes seen and the vehicles around say so.
-Sighting withLikelierAxes(Sighting sighting, const Neighbourhood& around)
-{
-    constexpr std::uint64_t kNew = 0;
-    const double evidence = axesEvidence(sizeCues(sighting, sighting.height)) +
-                            around.axesEvidence(sighting.measurement.box, kNew);
-    if (evidence >= 0.0) return sighting;
-    sighting.measurement = turnedBy(sighting.measurement, 1);
-    std::swap(sighting.side, sighting.end);
-    return sighting;
-}
-
 // A cluster that may be a new target, with the one that it continues beyond the seam, or kNone.
 struct Start
 {
@@ -157,6 +145,17 @@ std::optional<Sighting> firstSighting(const SegmentedFrame& frame, const Start& 
         sightingOf(frame, {at.cluster}, seen, start, std::nullopt, options.measurement), around);
 }
 }  // namespace
+
+Sighting withLikelierAxes(Sighting sighting, const Neighbourhood& around)
+{
+    constexpr std::uint64_t kNew = 0;
+    const double evidence = axesEvidence(sizeCues(sighting, sighting.height)) +
+                            around.axesEvidence(sighting.measurement.box, kNew);
+    if (evidence >= 0.0) return sighting;
+    sighting.measurement = turnedBy(sighting.measurement, 1);
+    std::swap(sighting.side, sighting.end);
+    return sighting;
+}
 
 std::vector<Sighting> newSightings(const SegmentedFrame& frame, const std::vector<bool>& claimed,
                                    const Neighbourhood& around, const TrackerOptions& options,

@@ -18,4 +18,7 @@ std::vector<Sighting> newSightings(const SegmentedFrame& frame, const std::vecto
                                    const Neighbourhood& around, const TrackerOptions& options,
                                    WorkerPool& workers);
 
+/// With length and width exchanged where the sizes seen and the vehicles around say so.
+Sighting withLikelierAxes(Sighting sighting, const Neighbourhood& around);
+
 }  // namespace vdamf

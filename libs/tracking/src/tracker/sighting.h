@@ -26,7 +26,8 @@ struct SegmentedFrame
     bool planar = false;
     RangeProfile profile;
     std::vector<Cluster> clusters;
-    std::vector<Hits> hits;  ///< of each cluster
+    std::vector<Hits> hits;       ///< of each cluster
+    std::vector<bool> isVehicle;  ///< what was found to be one of each of the first clusters
 };
 
 /// Hits as they lay together at one time. Of a single cluster without times they are the frame's.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tracker/discriminate.h"
 #include "tracker/existence.h"
 #include "types/box_changes.h"
 
@@ -53,8 +54,6 @@ bool isWithin(const OrientedBox& hits, const OrientedBox& box, double margin)
     }
     return true;
 }
-
-constexpr double kSurelyAVehicle = 0.8;  // probability
 
 bool standsWithKnownLength(const Track& track)
 {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "tracker/attention.h"
@@ -13,9 +14,11 @@
 #include "tracker/neighbourhood.h"
 #include "tracker/new_sightings.h"
 #include "tracker/one_time.h"
+#include "tracker/predicted_targets.h"
 #include "tracker/shared_cut.h"
 #include "tracker/track.h"
 #include "tracker/type_filters.h"
+#include "tracker/vehicle_cut.h"
 #include "tracker/worker_pool.h"
 #include "vdamf/tracking/preprocessing/range_profile.h"
 
@@ -42,9 +45,13 @@ public:
         enter(Stage::Prediction);
         predictTracks(frame);
         enter(Stage::Association);
-        const std::vector<PredictedTarget> predicted = targets();
+        const std::vector<PredictedTarget> predicted = predictedTargets(tracks_, discriminator_);
+        segmented = withHits(withVehiclesCutOut(std::move(segmented), predicted,
+                                                Neighbourhood(tracks_, discriminator_),
+                                                discriminator_, options_));
         segmented = withSharedClustersCut(std::move(segmented), predicted, options_);
-        auto assignment = assignClusters(predicted, segmented.hits, options_.association);
+        auto assignment =
+            assignClusters(predicted, segmented.hits, options_.association, segmented.isVehicle);
         enter(Stage::Measurement);
         const auto sightings = measureTracks(segmented, assignment);
         enter(Stage::Update);
@@ -83,7 +90,15 @@ private:
         s.profile = rangeProfile(frame, above);
         // A level scan does not tell where it looks and hits nothing.
         if (!frame.planar) s.profile = withinView(std::move(s.profile), view);
-        s.clusters = clusterPoints(frame, above, options_.clustering);
+        // A car before a wall is in one cluster with it.
+        ClusterOptions anyExtent = options_.clustering;
+        anyExtent.maxExtent = std::numeric_limits<double>::infinity();
+        s.clusters = clusterPoints(frame, above, anyExtent);
+        return s;
+    }
+
+    SegmentedFrame withHits(SegmentedFrame s)
+    {
         s.hits.resize(s.clusters.size());
         workers_.forEach(
             s.clusters.size(), [&](std::size_t i, std::size_t)
@@ -106,22 +121,6 @@ private:
                              tracks_[j] = predictedTrack(movedBy(std::move(tracks_[j]), moved), dt,
                                                          sensor, filters_[worker], options_.motion);
                          });
-    }
-
-    std::vector<PredictedTarget> targets() const
-    {
-        std::vector<PredictedTarget> all;
-        all.reserve(tracks_.size());
-        for (const Track& track : tracks_)
-        {
-            // What is no vehicle is not as large as one either; of what was lost from sight the
-            // last hits may have been a part.
-            const bool isVehicle = track.misses > 0 || !discriminator_.rulesOut(track);
-            all.push_back({isVehicle ? track.box() : track.boxOfHits(), track.boxSigma(),
-                           isVehicle ? track.lengthSigma() : 0.0,
-                           isVehicle ? track.widthSigma() : 0.0, track.velocity()});
-        }
-        return all;
     }
 
     std::vector<std::optional<Sighting>> measureTracks(

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "association/outgrown_clusters.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "types/append_hit.h"
+
+namespace vdamf
+{
+namespace
+{
+constexpr double kSurePosition = 0.5;  // m; vaguer targets do not tell where to cut
+// m; of a size along which a vehicle may be outgrown: widths that are assumed are that sure, and
+// lengths are not.
+constexpr double kSureSize = 0.35;
+constexpr std::size_t kLeastHits = 5;  // on a vehicle, and off it
+
+std::vector<PredictedTarget> knownAmong(const std::vector<PredictedTarget>& targets)
+{
+    std::vector<PredictedTarget> known;
+    for (const PredictedTarget& t : targets)
+        if (t.isVehicle && t.positionSigma.maxCoeff() < kSurePosition &&
+            std::min(t.lengthSigma, t.widthSigma) < kSureSize)
+            known.push_back(t);
+    return known;
+}
+
+std::vector<PlaneBounds> boundsOf(const std::vector<PredictedTarget>& targets)
+{
+    std::vector<PlaneBounds> bounds;
+    bounds.reserve(targets.size());
+    for (const PredictedTarget& t : targets)
+        bounds.push_back(
+            PlaneBounds::around(t.box.centre(), 0.5 * std::hypot(t.box.length, t.box.width)));
+    return bounds;
+}
+
+PlaneBounds boundsOf(const Cluster& cluster)
+{
+    const auto [minX, maxX] = std::minmax_element(cluster.x.begin(), cluster.x.end());
+    const auto [minY, maxY] = std::minmax_element(cluster.y.begin(), cluster.y.end());
+    return {{static_cast<double>(*minX), static_cast<double>(*minY)},
+            {static_cast<double>(*maxX), static_cast<double>(*maxY)}};
+}
+
+// A vehicle as hits see it.
+class VehicleSurface
+{
+public:
+    VehicleSurface(const PredictedTarget& vehicle, const Eigen::Vector2d& sensor,
+                   const AssociationOptions& options)
+        : half_(0.5 * vehicle.box.length, 0.5 * vehicle.box.width),
+          centre_(vehicle.box.centre()),
+          velocity_(vehicle.velocity),
+          toBox_(rotation(vehicle.box.heading).transpose()),
+          view_(toBoxFrame(vehicle.box, sensor)),
+          weight_(
+              (vehicle.positionSigma.array().square() + options.surfaceSigma * options.surfaceSigma)
+                  .inverse())
+    {
+        const auto most = [](double size, double slack, double sigma)
+        { return sigma < kSureSize ? size + slack + 2.0 * sigma : 1e30; };
+        most_ = {most(vehicle.box.length, options.lengthSlack, vehicle.lengthSigma),
+                 most(vehicle.box.width, options.widthSlack, vehicle.widthSigma)};
+    }
+
+    // Along and across the box, from its centre at the time of the hit.
+    Eigen::Vector2d placeOf(const Cluster& cluster, std::size_t i) const
+    {
+        Eigen::Vector2d p(static_cast<double>(cluster.x[i]), static_cast<double>(cluster.y[i]));
+        if (!cluster.time.empty()) p -= static_cast<double>(cluster.time[i]) * velocity_;
+        return toBox_ * (p - centre_);
+    }
+
+    bool isOutgrownBy(const Cluster& cluster) const
+    {
+        Eigen::Vector2d min(1e30, 1e30);
+        Eigen::Vector2d max = -min;
+        for (std::size_t i = 0; i < cluster.size(); ++i)
+        {
+            const Eigen::Vector2d p = placeOf(cluster, i);
+            min = min.cwiseMin(p);
+            max = max.cwiseMax(p);
+        }
+        return ((max - min).array() > most_.array()).any();
+    }
+
+    // Behind the faces that look away from the sensor the vehicle hides what there is of it, so
+    // what is seen there is not its own. Elsewhere its hits scatter about its box.
+    bool has(const Eigen::Vector2d& place) const
+    {
+        double squares = 0.0;
+        for (int axis = 0; axis < 2; ++axis)
+        {
+            const double out = std::abs(place(axis)) - half_(axis);
+            if (out <= 0.0) continue;
+            const bool isBehind =
+                std::abs(view_(axis)) > half_(axis) && view_(axis) * place(axis) < 0.0;
+            if (isBehind) return false;
+            squares += out * out * weight_(axis);
+        }
+        return squares < 1.0;
+    }
+
+private:
+    Eigen::Vector2d half_;  // m
+    Eigen::Vector2d centre_;
+    Eigen::Vector2d velocity_;
+    Eigen::Matrix2d toBox_;
+    Eigen::Vector2d view_;    // of the sensor, in the box
+    Eigen::Vector2d weight_;  // inverse variances along and across, 1/m^2
+    Eigen::Vector2d most_;    // extents of a cluster that is the vehicle's alone, m
+};
+}  // namespace
+
+KnownVehicles::KnownVehicles(const std::vector<PredictedTarget>& targets,
+                             const AssociationOptions& options)
+    : options_(options), vehicles_(knownAmong(targets)), index_(boundsOf(vehicles_))
+{
+}
+
+std::optional<CutCluster> KnownVehicles::cut(const Cluster& cluster,
+                                             const Eigen::Vector2d& sensor) const
+{
+    if (cluster.size() < 2 * kLeastHits || vehicles_.empty()) return std::nullopt;
+    std::vector<VehicleSurface> outgrown;
+    for (const std::size_t k : index_.overlapping(boundsOf(cluster)))
+    {
+        const VehicleSurface surface(vehicles_[k], sensor, options_);
+        if (surface.isOutgrownBy(cluster)) outgrown.push_back(surface);
+    }
+    if (outgrown.empty()) return std::nullopt;
+    CutCluster parts;
+    parts.vehicles.resize(outgrown.size());
+    for (std::size_t i = 0; i < cluster.size(); ++i)
+    {
+        const auto on = std::find_if(outgrown.begin(), outgrown.end(),
+                                     [&](const VehicleSurface& surface)
+                                     { return surface.has(surface.placeOf(cluster, i)); });
+        const auto k = static_cast<std::size_t>(on - outgrown.begin());
+        appendHit(k < outgrown.size() ? parts.vehicles[k] : parts.rest, cluster, i);
+    }
+    parts.vehicles.erase(
+        std::remove_if(parts.vehicles.begin(), parts.vehicles.end(),
+                       [](const Cluster& piece) { return piece.size() < kLeastHits; }),
+        parts.vehicles.end());
+    if (parts.rest.size() < kLeastHits || parts.vehicles.empty()) return std::nullopt;
+    return parts;
+}
+
+}  // namespace vdamf

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tracker/predicted_targets.h"
+
+namespace vdamf
+{
+std::vector<PredictedTarget> predictedTargets(const std::vector<Track>& tracks,
+                                              const Discriminator& discriminator)
+{
+    constexpr double kClutter = 0.5;  // probability of a vehicle below which it likelier is none
+    std::vector<PredictedTarget> all;
+    all.reserve(tracks.size());
+    for (const Track& track : tracks)
+    {
+        // What is no vehicle is not as large as one either; of what was lost from sight the last
+        // hits may have been a part.
+        const bool isAsLarge = track.misses > 0 || !discriminator.rulesOut(track);
+        PredictedTarget target;
+        target.box = isAsLarge ? track.box() : track.boxOfHits();
+        target.positionSigma = track.boxSigma();
+        target.lengthSigma = isAsLarge ? track.lengthSigma() : 0.0;
+        target.widthSigma = isAsLarge ? track.widthSigma() : 0.0;
+        target.velocity = track.velocity();
+        const double probability = discriminator.vehicleProbability(track);
+        target.isVehicle = probability > kSurelyAVehicle;
+        target.isClutter = probability < kClutter;
+        all.push_back(target);
+    }
+    return all;
+}
+
+}  // namespace vdamf

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tracks as the association sees them.
+#pragma once
+
+#include <vector>
+
+#include "tracker/discriminate.h"
+#include "tracker/track.h"
+#include "vdamf/tracking/association/auction.h"
+
+namespace vdamf
+{
+/// By the tracks, as predicted.
+std::vector<PredictedTarget> predictedTargets(const std::vector<Track>& tracks,
+                                              const Discriminator& discriminator);
+
+}  // namespace vdamf

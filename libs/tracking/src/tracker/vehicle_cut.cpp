@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tracker/vehicle_cut.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <iterator>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+#include "association/outgrown_clusters.h"
+#include "preprocessing/convex_pieces.h"
+#include "tracker/vehicles_among.h"
+
+namespace vdamf
+{
+namespace
+{
+// Without what was cut out, the rest may fall into several.
+std::vector<Cluster> clusteredAnew(Cluster hits, const SegmentedFrame& frame,
+                                   ClusterOptions options)
+{
+    options.maxExtent = std::numeric_limits<double>::infinity();
+    AboveGround above{std::vector<std::uint32_t>(hits.size()), std::move(hits.height)};
+    std::iota(above.index.begin(), above.index.end(), 0U);
+    LadarFrame alone;
+    alone.sensor << frame.sensor, frame.sensorZ;
+    alone.points = {
+        std::move(hits.x), std::move(hits.y), std::move(hits.z), {}, std::move(hits.time)};
+    return clusterPoints(alone, above, options);
+}
+
+double extentOf(const Cluster& cluster)
+{
+    const auto [minX, maxX] = std::minmax_element(cluster.x.begin(), cluster.x.end());
+    const auto [minY, maxY] = std::minmax_element(cluster.y.begin(), cluster.y.end());
+    return static_cast<double>(std::hypot(*maxX - *minX, *maxY - *minY));
+}
+
+// Clusters to be, of vehicles and of all else.
+struct Parts
+{
+    std::vector<Cluster> vehicles, rest;
+};
+
+// What a cluster is cut into by some vehicles; all of it is rest where they do not cut it.
+Parts cutBy(const KnownVehicles& vehicles, Cluster cluster, const SegmentedFrame& frame,
+            const ClusterOptions& options)
+{
+    auto cut = vehicles.cut(cluster, frame.sensor);
+    Parts parts;
+    if (cut)
+        parts = {std::move(cut->vehicles), clusteredAnew(std::move(cut->rest), frame, options)};
+    else
+        parts.rest.push_back(std::move(cluster));
+    return parts;
+}
+
+void append(std::vector<Cluster>& to, std::vector<Cluster> more)
+{
+    std::move(more.begin(), more.end(), std::back_inserter(to));
+}
+}  // namespace
+
+SegmentedFrame withVehiclesCutOut(SegmentedFrame frame, const std::vector<PredictedTarget>& targets,
+                                  const Neighbourhood& around, const Discriminator& discriminator,
+                                  const TrackerOptions& options)
+{
+    // What is smaller holds no more than a part of a car's end and a twig.
+    constexpr double kLeastExtent = 2.0;  // m
+    const KnownVehicles known(targets, options.association);
+    Parts all;
+    for (Cluster& cluster : frame.clusters)
+    {
+        if (extentOf(cluster) < kLeastExtent || convexPieces(cluster, frame.sensor).empty())
+        {
+            all.rest.push_back(std::move(cluster));
+            continue;
+        }
+        Parts parts = cutBy(known, std::move(cluster), frame, options.clustering);
+        append(all.vehicles, std::move(parts.vehicles));
+        for (Cluster& rest : parts.rest)
+        {
+            const KnownVehicles found(vehiclesAmong(convexPieces(rest, frame.sensor), frame, around,
+                                                    discriminator, options),
+                                      options.association);
+            Parts pieces = cutBy(found, std::move(rest), frame, options.clustering);
+            append(all.vehicles, std::move(pieces.vehicles));
+            append(all.rest, std::move(pieces.rest));
+        }
+    }
+    all.rest.erase(std::remove_if(all.rest.begin(), all.rest.end(),
+                                  [&](const Cluster& cluster)
+                                  { return extentOf(cluster) > options.clustering.maxExtent; }),
+                   all.rest.end());
+    frame.isVehicle.assign(all.rest.size(), false);
+    frame.isVehicle.resize(all.rest.size() + all.vehicles.size(), true);
+    frame.clusters = std::move(all.rest);
+    append(frame.clusters, std::move(all.vehicles));
+    return frame;
+}
+
+}  // namespace vdamf

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Vehicles without what stands so close to them that it shares their clusters.
+#pragma once
+
+#include <vector>
+
+#include "tracker/discriminate.h"
+#include "tracker/neighbourhood.h"
+#include "tracker/sighting.h"
+#include "vdamf/tracking/association/auction.h"
+#include "vdamf/tracking/tracker/tracker.h"
+
+namespace vdamf
+{
+/// Clusters whose outline is dented are searched for vehicles: those of the tracks that they
+/// outgrow, and those that show between the dents. What lies on one comes behind all clusters,
+/// marked as a vehicle's, and what does not is clustered anew. Then what is longer than
+/// [clustering] max_extent_m is dropped.
+SegmentedFrame withVehiclesCutOut(SegmentedFrame frame, const std::vector<PredictedTarget>& targets,
+                                  const Neighbourhood& around, const Discriminator& discriminator,
+                                  const TrackerOptions& options);
+
+}  // namespace vdamf

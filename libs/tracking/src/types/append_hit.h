@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Clusters hit by hit.
+#pragma once
+
+#include "vdamf/tracking/types/cluster.h"
+
+namespace vdamf
+{
+inline void appendHit(Cluster& to, const Cluster& from, std::size_t i)
+{
+    to.x.push_back(from.x[i]);
+    to.y.push_back(from.y[i]);
+    to.z.push_back(from.z[i]);
+    to.height.push_back(from.height[i]);
+    if (!from.time.empty()) to.time.push_back(from.time[i]);
+}
+
+}  // namespace vdamf

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "association/outgrown_clusters.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace vdamf
+{
+namespace
+{
+const Eigen::Vector2d kSensor(0.0, 0.0);
+
+void addLine(Cluster& to, const Eigen::Vector2f& from, const Eigen::Vector2f& end, int hits,
+             float time = 0.0F)
+{
+    for (int i = 0; i < hits; ++i)
+    {
+        const Eigen::Vector2f p =
+            from + (end - from) * static_cast<float>(i) / static_cast<float>(hits);
+        to.x.push_back(p.x());
+        to.y.push_back(p.y());
+        to.z.push_back(0.5F);
+        to.height.push_back(0.5F);
+        to.time.push_back(time);
+    }
+}
+
+// Rear and left side of the car below.
+Cluster carAlone(float ahead = 0.0F, float time = 0.0F)
+{
+    Cluster cluster;
+    addLine(cluster, {10.0F + ahead, -4.75F}, {10.0F + ahead, -3.0F}, 20, time);
+    addLine(cluster, {10.0F + ahead, -3.0F}, {14.5F + ahead, -3.0F}, 20, time);
+    return cluster;
+}
+
+// With a hedge along its far side.
+Cluster carAndHedge(float ahead = 0.0F, float time = 0.0F)
+{
+    Cluster cluster = carAlone(ahead, time);
+    addLine(cluster, {4.0F, -4.9F}, {24.0F, -4.9F}, 100, time);
+    return cluster;
+}
+
+PredictedTarget car()
+{
+    PredictedTarget target;
+    target.box = {12.25, -3.9, 0.0, 4.5, 1.8};
+    target.positionSigma = {0.1, 0.1};
+    target.lengthSigma = target.widthSigma = 0.1;
+    target.isVehicle = true;
+    return target;
+}
+
+std::optional<CutCluster> cut(const Cluster& cluster, const PredictedTarget& vehicle)
+{
+    return KnownVehicles({vehicle}, {}).cut(cluster, kSensor);
+}
+
+TEST(OutgrownClusters, TheCarAndTheHedgeBehindIt)
+{
+    const auto parts = cut(carAndHedge(), car());
+    ASSERT_TRUE(parts);
+    ASSERT_EQ(parts->vehicles.size(), 1U);
+    EXPECT_EQ(parts->vehicles[0].size(), 40U);
+    EXPECT_EQ(parts->rest.size(), 100U) << "the hedge is 10 cm behind the car's far side";
+    EXPECT_EQ(parts->rest.time.size(), 100U);
+}
+
+TEST(OutgrownClusters, NotThatOfTheCarAlone)
+{
+    EXPECT_FALSE(cut(carAlone(), car()));
+    PredictedTarget shorter = car();
+    shorter.box.length = 4.0;
+    EXPECT_FALSE(cut(carAlone(), shorter)) << "it may grow";
+}
+
+TEST(OutgrownClusters, NotByWhatIsNotKnown)
+{
+    PredictedTarget perhaps = car();
+    perhaps.isVehicle = false;
+    EXPECT_FALSE(cut(carAndHedge(), perhaps));
+    PredictedTarget vague = car();
+    vague.positionSigma = {1.0, 0.1};
+    EXPECT_FALSE(cut(carAndHedge(), vague));
+    PredictedTarget ofAnySize = car();
+    ofAnySize.lengthSigma = ofAnySize.widthSigma = 0.5;
+    EXPECT_FALSE(cut(carAndHedge(), ofAnySize));
+}
+
+TEST(OutgrownClusters, NotByAnAssumedLength)
+{
+    Cluster lorry;
+    addLine(lorry, {10.0F, -4.75F}, {10.0F, -3.0F}, 20);
+    addLine(lorry, {10.0F, -3.0F}, {19.0F, -3.0F}, 20);
+    EXPECT_TRUE(cut(lorry, car()));
+    PredictedTarget seenFromBehind = car();
+    seenFromBehind.lengthSigma = 0.45;
+    EXPECT_FALSE(cut(lorry, seenFromBehind));
+}
+
+TEST(OutgrownClusters, NotWhereTheCarHasNoHits)
+{
+    Cluster hedge;
+    addLine(hedge, {4.0F, -4.9F}, {24.0F, -4.9F}, 100);
+    EXPECT_FALSE(cut(hedge, car()));
+}
+
+TEST(OutgrownClusters, HitsLieWhereTheCarIsAtTheirTime)
+{
+    PredictedTarget fast = car();
+    fast.velocity = {20.0, 0.0};
+    const auto parts = cut(carAndHedge(2.0F, 0.1F), fast);
+    ASSERT_TRUE(parts);
+    EXPECT_EQ(parts->vehicles[0].size(), 40U);
+}
+
+TEST(OutgrownClusters, OfTwoCarsEachHasItsOwn)
+{
+    Cluster both = carAndHedge();
+    addLine(both, {17.0F, -4.75F}, {17.0F, -3.0F}, 15);
+    PredictedTarget ahead = car();
+    ahead.box.x += 7.0;
+    const auto parts = KnownVehicles({car(), ahead}, {}).cut(both, kSensor);
+    ASSERT_TRUE(parts);
+    ASSERT_EQ(parts->vehicles.size(), 2U);
+    EXPECT_EQ(parts->vehicles[0].size(), 40U);
+    EXPECT_EQ(parts->vehicles[1].size(), 15U);
+}
+
+}  // namespace
+}  // namespace vdamf
