@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "types/append_hit.h"
+#include "types/cluster_bounds.h"
 
 namespace vdamf
 {
@@ -36,12 +37,11 @@ std::vector<PlaneBounds> boundsOf(const std::vector<PredictedTarget>& targets)
     return bounds;
 }
 
-PlaneBounds boundsOf(const Cluster& cluster)
+PlaneBounds planeBoundsOf(const Cluster& cluster)
 {
-    const auto [minX, maxX] = std::minmax_element(cluster.x.begin(), cluster.x.end());
-    const auto [minY, maxY] = std::minmax_element(cluster.y.begin(), cluster.y.end());
-    return {{static_cast<double>(*minX), static_cast<double>(*minY)},
-            {static_cast<double>(*maxX), static_cast<double>(*maxY)}};
+    const ClusterBounds b = boundsOf(cluster);
+    return {Eigen::Vector2f(b.minX, b.minY).cast<double>(),
+            Eigen::Vector2f(b.maxX, b.maxY).cast<double>()};
 }
 
 // A vehicle as hits see it.
@@ -125,7 +125,7 @@ std::optional<CutCluster> KnownVehicles::cut(const Cluster& cluster,
 {
     if (cluster.size() < 2 * kLeastHits || vehicles_.empty()) return std::nullopt;
     std::vector<VehicleSurface> outgrown;
-    for (const std::size_t k : index_.overlapping(boundsOf(cluster)))
+    for (const std::size_t k : index_.overlapping(planeBoundsOf(cluster)))
     {
         const VehicleSurface surface(vehicles_[k], sensor, options_);
         if (surface.isOutgrownBy(cluster)) outgrown.push_back(surface);

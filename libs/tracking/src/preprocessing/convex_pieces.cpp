@@ -8,17 +8,18 @@
 
 #include "preprocessing/bearing.h"
 #include "types/append_hit.h"
+#include "types/wide_lanes.h"
 
 namespace vdamf
 {
 namespace
 {
-constexpr std::size_t kSectors = 1440;  // of a turn
-constexpr float kLowest = 0.3F;         // m: below are kerbs and grass
-constexpr float kHighest = 1.2F;        // m: above are mirrors, branches and roofs
-constexpr double kDent = 0.5;           // m: wheel houses are shallower
-constexpr float kBehind = 0.6F;         // m behind the nearest hit: of the same face
-constexpr std::size_t kFewest = 3;      // places of an outline that is cut
+constexpr int kSectors = 1440;      // of a turn
+constexpr float kLowest = 0.3F;     // m: below are kerbs and grass
+constexpr float kHighest = 1.2F;    // m: above are mirrors, branches and roofs
+constexpr double kDent = 0.5;       // m: wheel houses are shallower
+constexpr float kBehind = 0.6F;     // m behind the nearest hit: of the same face
+constexpr std::size_t kFewest = 3;  // places of an outline that is cut
 
 struct OutlinePoint
 {
@@ -36,14 +37,21 @@ struct Bearings
 Bearings bearingsOf(const Cluster& cluster, const Eigen::Vector2f& sensor)
 {
     Bearings b{std::vector<std::uint32_t>(cluster.size()), std::vector<float>(cluster.size())};
-    for (std::size_t i = 0; i < cluster.size(); ++i)
-    {
-        const float dx = cluster.x[i] - sensor.x();
-        const float dy = cluster.y[i] - sensor.y();
-        const auto at = static_cast<std::uint32_t>(turns(dx, dy, FineArc()) * kSectors);
-        b.sector[i] = std::min<std::uint32_t>(at, kSectors - 1);
-        b.range[i] = std::sqrt(dx * dx + dy * dy);
-    }
+    inWideLanes([
+        x = cluster.x.data(), y = cluster.y.data(), size = cluster.size(), sx = sensor.x(),
+        sy = sensor.y(), sectors = b.sector.data(), ranges = b.range.data()
+    ]() __attribute__((always_inline)) {
+        VDAMF_INDEPENDENT_LANES
+        for (std::size_t i = 0; i < size; ++i)
+        {
+            const float dx = x[i] - sx;
+            const float dy = y[i] - sy;
+            const int at =
+                static_cast<int>(turns(dx, dy, FineArc()) * static_cast<float>(kSectors));
+            sectors[i] = static_cast<std::uint32_t>(at < kSectors ? at : kSectors - 1);
+            ranges[i] = std::sqrt(dx * dx + dy * dy);
+        }
+    });
     return b;
 }
 
@@ -61,7 +69,7 @@ std::vector<OutlinePoint> outlineOf(const Cluster& cluster, const Bearings& bear
     std::vector<OutlinePoint> outline;
     std::size_t start = 0;
     std::uint32_t widest = 0;
-    for (std::uint32_t s = 0; s < kSectors; ++s)
+    for (std::uint32_t s = 0; s < nearest.size(); ++s)
     {
         const std::uint32_t i = nearest[s];
         if (i == kNone) continue;

@@ -2,7 +2,6 @@
 #include "tracker/vehicle_cut.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <iterator>
 #include <limits>
@@ -12,6 +11,7 @@
 #include "association/outgrown_clusters.h"
 #include "preprocessing/convex_pieces.h"
 #include "tracker/vehicles_among.h"
+#include "types/cluster_bounds.h"
 
 namespace vdamf
 {
@@ -29,13 +29,6 @@ std::vector<Cluster> clusteredAnew(Cluster hits, const SegmentedFrame& frame,
     alone.points = {
         std::move(hits.x), std::move(hits.y), std::move(hits.z), {}, std::move(hits.time)};
     return clusterPoints(alone, above, options);
-}
-
-double extentOf(const Cluster& cluster)
-{
-    const auto [minX, maxX] = std::minmax_element(cluster.x.begin(), cluster.x.end());
-    const auto [minY, maxY] = std::minmax_element(cluster.y.begin(), cluster.y.end());
-    return static_cast<double>(std::hypot(*maxX - *minX, *maxY - *minY));
 }
 
 // Clusters to be, of vehicles and of all else.
@@ -73,27 +66,31 @@ SegmentedFrame withVehiclesCutOut(SegmentedFrame frame, const std::vector<Predic
     Parts all;
     for (Cluster& cluster : frame.clusters)
     {
-        if (extentOf(cluster) < kLeastExtent || convexPieces(cluster, frame.sensor).empty())
+        const bool maySplit = boundsOf(cluster).diagonal() >= kLeastExtent;
+        std::vector<Cluster> pieces =
+            maySplit ? convexPieces(cluster, frame.sensor) : std::vector<Cluster>();
+        if (pieces.empty())
         {
             all.rest.push_back(std::move(cluster));
             continue;
         }
         Parts parts = cutBy(known, std::move(cluster), frame, options.clustering);
+        const bool isCut = !parts.vehicles.empty();
         append(all.vehicles, std::move(parts.vehicles));
         for (Cluster& rest : parts.rest)
         {
-            const KnownVehicles found(vehiclesAmong(convexPieces(rest, frame.sensor), frame, around,
-                                                    discriminator, options),
-                                      options.association);
-            Parts pieces = cutBy(found, std::move(rest), frame, options.clustering);
-            append(all.vehicles, std::move(pieces.vehicles));
-            append(all.rest, std::move(pieces.rest));
+            if (isCut) pieces = convexPieces(rest, frame.sensor);
+            const KnownVehicles found(
+                vehiclesAmong(std::move(pieces), frame, around, discriminator, options),
+                options.association);
+            Parts more = cutBy(found, std::move(rest), frame, options.clustering);
+            append(all.vehicles, std::move(more.vehicles));
+            append(all.rest, std::move(more.rest));
         }
     }
-    all.rest.erase(std::remove_if(all.rest.begin(), all.rest.end(),
-                                  [&](const Cluster& cluster)
-                                  { return extentOf(cluster) > options.clustering.maxExtent; }),
-                   all.rest.end());
+    const auto isLong = [&](const Cluster& cluster)
+    { return boundsOf(cluster).diagonal() > options.clustering.maxExtent; };
+    all.rest.erase(std::remove_if(all.rest.begin(), all.rest.end(), isLong), all.rest.end());
     frame.isVehicle.assign(all.rest.size(), false);
     frame.isVehicle.resize(all.rest.size() + all.vehicles.size(), true);
     frame.clusters = std::move(all.rest);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tracker/vehicles_among.h"
 
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -30,6 +31,7 @@ std::optional<PredictedTarget> vehicleIn(const SegmentedFrame& piece, const Neig
     const double height = heightOf(piece.clusters.front());
     const OrientedBox start =
         startBox(*seen.hits, piece.sensor, widestEnd(height), options.measurement.fit);
+    if (std::hypot(start.length, start.width) > options.lifecycle.maxExtent) return std::nullopt;
     const Measurement m =
         withLikelierAxes(sightingOf(piece, {0}, seen, start, std::nullopt, options.measurement),
                          around)
