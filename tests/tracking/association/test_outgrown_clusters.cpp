@@ -49,7 +49,7 @@ PredictedTarget car()
     target.box = {12.25, -3.9, 0.0, 4.5, 1.8};
     target.positionSigma = {0.1, 0.1};
     target.lengthSigma = target.widthSigma = 0.1;
-    target.isVehicle = true;
+    target.isCar = true;
     return target;
 }
 
@@ -79,7 +79,7 @@ TEST(OutgrownClusters, NotThatOfTheCarAlone)
 TEST(OutgrownClusters, NotByWhatIsNotKnown)
 {
     PredictedTarget perhaps = car();
-    perhaps.isVehicle = false;
+    perhaps.isCar = false;
     EXPECT_FALSE(cut(carAndHedge(), perhaps));
     PredictedTarget vague = car();
     vague.positionSigma = {1.0, 0.1};

@@ -21,7 +21,7 @@ std::vector<PredictedTarget> knownAmong(const std::vector<PredictedTarget>& targ
 {
     std::vector<PredictedTarget> known;
     for (const PredictedTarget& t : targets)
-        if (t.isVehicle && t.positionSigma.maxCoeff() < kSurePosition &&
+        if (t.isCar && t.positionSigma.maxCoeff() < kSurePosition &&
             std::min(t.lengthSigma, t.widthSigma) < kSureSize)
             known.push_back(t);
     return known;

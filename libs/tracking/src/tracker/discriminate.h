@@ -12,6 +12,8 @@ namespace vdamf
 {
 /// Probability from which on something is surely a vehicle.
 constexpr double kSurelyAVehicle = 0.8;
+/// Height from which on a vehicle may be a truck, m.
+constexpr double kLowestTruck = 2.2;
 
 /// Evidence of tracks that have hits in a frame.
 class Discriminator

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tracker/predicted_targets.h"
 
+#include "vdamf/tracking/estimation/assumed_size.h"
+
 namespace vdamf
 {
 std::vector<PredictedTarget> predictedTargets(const std::vector<Track>& tracks,
                                               const Discriminator& discriminator)
 {
-    constexpr double kClutter = 0.5;  // probability of a vehicle below which it likelier is none
     std::vector<PredictedTarget> all;
     all.reserve(tracks.size());
     for (const Track& track : tracks)
@@ -21,8 +22,9 @@ std::vector<PredictedTarget> predictedTargets(const std::vector<Track>& tracks,
         target.widthSigma = isAsLarge ? track.widthSigma() : 0.0;
         target.velocity = track.velocity();
         const double probability = discriminator.vehicleProbability(track);
-        target.isVehicle = probability > kSurelyAVehicle;
-        target.isClutter = probability < kClutter;
+        target.isCar = probability > kSurelyAVehicle && track.height < kLowestTruck &&
+                       track.box().width < widestCar(track.height);
+        target.isClutter = probability < 1.0 - kSurelyAVehicle;
         all.push_back(target);
     }
     return all;

@@ -12,8 +12,8 @@
 
 namespace vdamf
 {
-/// Clusters whose outline is dented are searched for vehicles: those of the tracks that they
-/// outgrow, and those that show between the dents. What lies on one comes behind all clusters,
+/// Clusters whose outline is dented are searched for cars: those of the tracks that they outgrow,
+/// and those that show between the dents. What lies on one comes behind all clusters,
 /// marked as a vehicle's, and what does not is clustered anew. Then what is longer than
 /// [clustering] max_extent_m is dropped.
 SegmentedFrame withVehiclesCutOut(SegmentedFrame frame, const std::vector<PredictedTarget>& targets,

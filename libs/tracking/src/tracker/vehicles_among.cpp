@@ -14,10 +14,11 @@ namespace
 {
 constexpr double kSigma = 0.1;  // m, of the place of a box just measured
 
-bool mayBeVehicle(const Cluster& piece, const LifecycleOptions& options)
+bool mayBeCar(const Cluster& piece, const LifecycleOptions& options)
 {
+    const double height = heightOf(piece);
     return piece.size() >= static_cast<std::size_t>(options.minHits) &&
-           heightOf(piece) >= options.minHeight;
+           height >= options.minHeight && height < kLowestTruck;
 }
 
 // `piece`: a frame of it alone.
@@ -40,7 +41,7 @@ std::optional<PredictedTarget> vehicleIn(const SegmentedFrame& piece, const Neig
     PredictedTarget vehicle;
     vehicle.box = startState(m, height, piece.sensor, {}, options.visibility, options.motion).box();
     vehicle.positionSigma = {kSigma, kSigma};
-    vehicle.isVehicle = true;
+    vehicle.isCar = true;
     return vehicle;
 }
 }  // namespace
@@ -60,7 +61,7 @@ std::vector<PredictedTarget> vehiclesAmong(std::vector<Cluster> pieces, const Se
     alone.profile = frame.profile;
     for (Cluster& piece : pieces)
     {
-        if (!mayBeVehicle(piece, options.lifecycle)) continue;
+        if (!mayBeCar(piece, options.lifecycle)) continue;
         alone.hits = {projected(piece, options.measurement.mergeCell, frame.planar)};
         alone.clusters = {std::move(piece)};
         if (const auto vehicle = vehicleIn(alone, around, discriminator, options))

@@ -44,8 +44,10 @@ struct PredictedTarget
     double widthSigma = 0.0;      ///< m
     /// With which the box moves on to the time of each cluster (Hits::time), m/s.
     Eigen::Vector2d velocity = Eigen::Vector2d::Zero();
-    bool isVehicle = false;  ///< surely: what goes on beyond its box is something else
-    bool isClutter = false;  ///< likelier than a vehicle
+    /// Surely: what goes on beyond its box is something else. Trucks are open between their axles,
+    /// and what is taken for the end of one may be.
+    bool isCar = false;
+    bool isClutter = false;  ///< surely, and no vehicle
 };
 
 /// For each target the indices of its clusters, rising; a cluster goes to one target at most.
@@ -54,7 +56,7 @@ struct PredictedTarget
 /// against that of a new object. Every cluster bids for the target that it benefits most from; a
 /// target takes the best bids whose union stays within its box plus slack (the best one always)
 /// and turns down the rest, which then bid elsewhere. Ends as no pair is turned down twice.
-/// `isVehicle`, where not empty: clusters that are no part of clutter.
+/// `isVehicle`, where not empty: clusters that are no clutter's.
 std::vector<std::vector<std::size_t>> assignClusters(const std::vector<PredictedTarget>& targets,
                                                      const std::vector<Hits>& clusters,
                                                      const AssociationOptions& options,
