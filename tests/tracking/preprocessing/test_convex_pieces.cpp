@@ -100,5 +100,20 @@ TEST(ConvexPieces, BehindTheSensorTheyAreTheSame)
     EXPECT_EQ(convexPieces(cluster, kSensor).size(), 2U);
 }
 
+TEST(ConvexPieces, AroundMostOfTheSensorTheyAreTheSameWhicheverWayItLooks)
+{
+    // A yard open to one side, with a niche in its rear wall.
+    const std::vector<Eigen::Vector2d> yard = {{-6.0, -5.0}, {8.0, -5.0}, {8.0, -1.0}, {11.0, -1.0},
+                                               {11.0, 1.0},  {8.0, 1.0},  {8.0, 5.0},  {-6.0, 5.0}};
+    const std::size_t count = convexPieces(along(yard), kSensor).size();
+    EXPECT_GE(count, 4U);
+    for (const double turned : {0.5 * kPi, kPi, 1.5 * kPi})
+    {
+        std::vector<Eigen::Vector2d> path = yard;
+        for (Eigen::Vector2d& p : path) p = rotation(turned) * p;
+        EXPECT_EQ(convexPieces(along(path), kSensor).size(), count) << turned;
+    }
+}
+
 }  // namespace
 }  // namespace vdamf

@@ -82,8 +82,9 @@ public:
             const Eigen::Vector2d p = placeOf(cluster, i);
             min = min.cwiseMin(p);
             max = max.cwiseMax(p);
+            if (((max - min).array() > most_.array()).any()) return true;
         }
-        return ((max - min).array() > most_.array()).any();
+        return false;
     }
 
     // Behind the faces that look away from the sensor the vehicle hides what there is of it, so
@@ -112,6 +113,31 @@ private:
     Eigen::Vector2d weight_;  // inverse variances along and across, 1/m^2
     Eigen::Vector2d most_;    // extents of a cluster that is the vehicle's alone, m
 };
+
+// Whose the hits of a cluster are: of the first vehicle that has them, or of none.
+struct Shares
+{
+    Shares(const Cluster& cluster, const std::vector<VehicleSurface>& vehicles)
+        : owner(cluster.size(), vehicles.size()), hits(vehicles.size() + 1, 0)
+    {
+        for (std::size_t k = 0; k < vehicles.size(); ++k)
+            for (std::size_t i = 0; i < cluster.size(); ++i)
+                if (owner[i] == vehicles.size() && vehicles[k].has(vehicles[k].placeOf(cluster, i)))
+                    owner[i] = k;
+        for (const std::size_t k : owner) ++hits[k];
+    }
+
+    // Of both.
+    bool areEnough() const
+    {
+        return hits.back() >= kLeastHits &&
+               std::any_of(hits.begin(), hits.end() - 1,
+                           [](std::size_t count) { return count >= kLeastHits; });
+    }
+
+    std::vector<std::size_t> owner;  // of each hit, among the vehicles and then none
+    std::vector<std::size_t> hits;   // of each owner
+};
 }  // namespace
 
 KnownVehicles::KnownVehicles(const std::vector<PredictedTarget>& targets,
@@ -131,21 +157,19 @@ std::optional<CutCluster> KnownVehicles::cut(const Cluster& cluster,
         if (surface.isOutgrownBy(cluster)) outgrown.push_back(surface);
     }
     if (outgrown.empty()) return std::nullopt;
+    const Shares shares(cluster, outgrown);
+    if (!shares.areEnough()) return std::nullopt;
     CutCluster parts;
     parts.vehicles.resize(outgrown.size());
     for (std::size_t i = 0; i < cluster.size(); ++i)
     {
-        const auto on = std::find_if(outgrown.begin(), outgrown.end(),
-                                     [&](const VehicleSurface& surface)
-                                     { return surface.has(surface.placeOf(cluster, i)); });
-        const auto k = static_cast<std::size_t>(on - outgrown.begin());
+        const std::size_t k = shares.owner[i];
         appendHit(k < outgrown.size() ? parts.vehicles[k] : parts.rest, cluster, i);
     }
     parts.vehicles.erase(
         std::remove_if(parts.vehicles.begin(), parts.vehicles.end(),
                        [](const Cluster& piece) { return piece.size() < kLeastHits; }),
         parts.vehicles.end());
-    if (parts.rest.size() < kLeastHits || parts.vehicles.empty()) return std::nullopt;
     return parts;
 }
 

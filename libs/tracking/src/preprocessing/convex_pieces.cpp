@@ -28,11 +28,50 @@ struct OutlinePoint
     Eigen::Vector2d place;
 };
 
+// Sectors are numbered from the first one that has hits.
 struct Bearings
 {
     std::vector<std::uint32_t> sector;
     std::vector<float> range;
+    std::uint32_t sectors = 0;  // from the first to the last one
 };
+
+// First and last of some sectors.
+struct Span
+{
+    std::uint32_t first = kSectors, last = 0;
+};
+
+Span spanOf(const std::vector<std::uint32_t>& sectors)
+{
+    Span span;
+    inWideLanes([ s = sectors.data(), size = sectors.size(), &span ]()
+                    __attribute__((always_inline)) {
+                        Span all;
+                        for (std::size_t i = 0; i < size; ++i)
+                        {
+                            all.first = s[i] < all.first ? s[i] : all.first;
+                            all.last = s[i] > all.last ? s[i] : all.last;
+                        }
+                        span = all;
+                    });
+    return span;
+}
+
+// Hits on both sides of where turns begin anew are numbered from the opposite side.
+void numberFromFirst(Bearings& bearings)
+{
+    constexpr std::uint32_t kHalf = kSectors / 2;
+    if (bearings.sector.empty()) return;
+    Span span = spanOf(bearings.sector);
+    if (span.last - span.first > kHalf)
+    {
+        for (std::uint32_t& s : bearings.sector) s = s < kHalf ? s + kHalf : s - kHalf;
+        span = spanOf(bearings.sector);
+    }
+    for (std::uint32_t& s : bearings.sector) s -= span.first;
+    bearings.sectors = span.last - span.first + 1;
+}
 
 Bearings bearingsOf(const Cluster& cluster, const Eigen::Vector2f& sensor)
 {
@@ -52,6 +91,7 @@ Bearings bearingsOf(const Cluster& cluster, const Eigen::Vector2f& sensor)
             ranges[i] = std::sqrt(dx * dx + dy * dy);
         }
     });
+    numberFromFirst(b);
     return b;
 }
 
@@ -59,7 +99,7 @@ Bearings bearingsOf(const Cluster& cluster, const Eigen::Vector2f& sensor)
 std::vector<OutlinePoint> outlineOf(const Cluster& cluster, const Bearings& bearings)
 {
     constexpr auto kNone = std::numeric_limits<std::uint32_t>::max();
-    std::vector<std::uint32_t> nearest(kSectors, kNone);
+    std::vector<std::uint32_t> nearest(bearings.sectors, kNone);
     for (std::uint32_t i = 0; i < cluster.size(); ++i)
     {
         if (cluster.height[i] < kLowest || cluster.height[i] > kHighest) continue;
@@ -67,6 +107,7 @@ std::vector<OutlinePoint> outlineOf(const Cluster& cluster, const Bearings& bear
         if (best == kNone || bearings.range[i] < bearings.range[best]) best = i;
     }
     std::vector<OutlinePoint> outline;
+    outline.reserve(nearest.size());
     std::size_t start = 0;
     std::uint32_t widest = 0;
     for (std::uint32_t s = 0; s < nearest.size(); ++s)
@@ -157,7 +198,7 @@ std::vector<Cluster> convexPieces(const Cluster& cluster, const Eigen::Vector2d&
         std::size_t piece = 0;
         float farthest = 0.0F;
     };
-    std::vector<Sector> sectors(kSectors);
+    std::vector<Sector> sectors(bearings.sectors);
     std::size_t piece = 0;
     for (std::size_t i = 0; i < outline.size(); ++i)
     {
