@@ -33,7 +33,8 @@ struct MeanNees
 
 void add(const Scenario& scenario, MeanNees& mean)
 {
-    for (const Seen& seen : trackedObjects(scenario)["seen"])
+    const auto objects = trackedObjects(scenario);
+    for (const Seen& seen : objects.at("seen"))
     {
         if (seen.time < 2.0 || seen.tracks.empty()) continue;
         const TrackReport& track = seen.tracks.front();
