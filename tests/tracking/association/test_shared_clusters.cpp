@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tracking/joined_clusters.h"
 #include "vdamf/tracking/matched_filter/hits.h"
 
 namespace vdamf
@@ -31,18 +32,6 @@ Cluster outline(const std::vector<Eigen::Vector2d>& corners, int hitsALine = 25)
 std::vector<Eigen::Vector2d> rearAndSide(double x, double y, double length = 4.5)
 {
     return {{x - 0.5 * length, y + 0.9}, {x - 0.5 * length, y - 0.9}, {x + 0.5 * length, y - 0.9}};
-}
-
-Cluster together(Cluster a, const Cluster& b)
-{
-    const auto join = [](std::vector<float>& to, const std::vector<float>& from)
-    { to.insert(to.end(), from.begin(), from.end()); };
-    join(a.x, b.x);
-    join(a.y, b.y);
-    join(a.z, b.z);
-    join(a.height, b.height);
-    join(a.time, b.time);
-    return a;
 }
 
 PredictedTarget car(double x, double y, double sigma = 0.2)

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <random>
 
+#include "tracking/joined_clusters.h"
+
 namespace vdamf
 {
 namespace
@@ -32,17 +34,6 @@ Cluster along(const std::vector<Eigen::Vector2d>& path, float height = 0.7F)
         }
     }
     return cluster;
-}
-
-Cluster together(Cluster a, const Cluster& b)
-{
-    const auto join = [](std::vector<float>& to, const std::vector<float>& from)
-    { to.insert(to.end(), from.begin(), from.end()); };
-    join(a.x, b.x);
-    join(a.y, b.y);
-    join(a.z, b.z);
-    join(a.height, b.height);
-    return a;
 }
 
 // Left side and rear of a car ahead to the right, as seen from the sensor.

@@ -3,10 +3,10 @@
 // as much as that.
 #include <gtest/gtest.h>
 
-#include <Eigen/LU>
 #include <cmath>
 #include <string>
 
+#include "tracking/decompositions.h"
 #include "tracking/tracker/simulated_frames.h"
 
 namespace vdamf
@@ -42,7 +42,7 @@ void add(const Scenario& scenario, MeanNees& mean)
         if (std::abs(turned) > 0.25 * kPi) continue;  // its axes are exchanged
         Eigen::Vector3d error;
         error << track.box.centre() - seen.truth.box.centre(), turned;
-        mean.pose += error.dot(track.covariance.topLeftCorner<3, 3>().inverse() * error) / 3.0;
+        mean.pose += squaredMahalanobis(error, track.covariance.topLeftCorner<3, 3>()) / 3.0;
         mean.heading += turned * turned / track.covariance(2, 2);
         ++mean.frames;
     }

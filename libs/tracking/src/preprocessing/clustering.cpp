@@ -62,9 +62,9 @@ typedef std::int32_t Integers __attribute__((vector_size(32)));
     load(parents, parent);
     dx -= atX;
     dy -= atY;
-    constexpr Integers kLaneNumbers = {0, 1, 2, 3, 4, 5, 6, 7};
+    constexpr Integers kNumbers = {0, 1, 2, 3, 4, 5, 6, 7};
     const Integers isNew = (dx * dx + dy * dy <= squaredGap) &
-                           (parents != static_cast<std::int32_t>(root)) & (kLaneNumbers < count);
+                           (parents != static_cast<std::int32_t>(root)) & (kNumbers < count);
     std::uint64_t any[4];
     std::memcpy(any, &isNew, sizeof any);
     return (any[0] | any[1] | any[2] | any[3]) != 0;

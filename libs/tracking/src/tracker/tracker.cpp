@@ -46,16 +46,16 @@ public:
         predictTracks(frame);
         enter(Stage::Association);
         const std::vector<PredictedTarget> predicted = predictedTargets(tracks_, discriminator_);
-        segmented = withHits(withVehiclesCutOut(std::move(segmented), predicted,
-                                                Neighbourhood(tracks_, discriminator_),
-                                                discriminator_, options_));
+        const Neighbourhood around(tracks_, discriminator_);
+        segmented = withHits(
+            withVehiclesCutOut(std::move(segmented), predicted, around, discriminator_, options_));
         segmented = withSharedClustersCut(std::move(segmented), predicted, options_);
         auto assignment =
             assignClusters(predicted, segmented.hits, options_.association, segmented.isVehicle);
         enter(Stage::Measurement);
         const auto sightings = measureTracks(segmented, assignment);
         enter(Stage::Update);
-        updateTracks(segmented, view, assignment, sightings);
+        updateTracks(segmented, view, assignment, sightings, around);
         enter(Stage::NewTracks);
         assignment = startTracks(segmented, std::move(assignment));
         enter(Stage::Discrimination);
@@ -158,10 +158,10 @@ private:
 
     void updateTracks(const SegmentedFrame& frame, const FieldOfView& field,
                       const std::vector<std::vector<std::size_t>>& assignment,
-                      const std::vector<std::optional<Sighting>>& sightings)
+                      const std::vector<std::optional<Sighting>>& sightings,
+                      const Neighbourhood& around)
     {
         const OpenView view{frame.time, frame.sensor, frame.profile, field};
-        const Neighbourhood around(tracks_, discriminator_);
         workers_.forEach(
             tracks_.size(),
             [&](std::size_t j, std::size_t worker)
