@@ -34,7 +34,7 @@ std::optional<PredictedTarget> vehicleIn(const SegmentedFrame& piece, const Neig
         startBox(*seen.hits, piece.sensor, widestEnd(height), options.measurement.fit);
     if (std::hypot(start.length, start.width) > options.lifecycle.maxExtent) return std::nullopt;
     const Measurement m =
-        withLikelierAxes(sightingOf(piece, {0}, seen, start, std::nullopt, options.measurement),
+        withLikelierAxes(sightingOf(piece, {0}, seen, start, std::nullopt, options.measurement, {0.0, true}),
                          around)
             .measurement;
     if (discriminator.vehicleProbability(m, piece, {0}) < kSurelyAVehicle) return std::nullopt;
