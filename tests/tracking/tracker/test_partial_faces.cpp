@@ -70,6 +70,32 @@ TEST(PartialFaces, AWholeFaceTellsItAsMeasured)
     EXPECT_EQ(withTurnOfPieces(withSide).covariance, withSide.measurement.covariance);
 }
 
+// With its left side beside the rear, of that many metres.
+Sighting rearAndSideSeen(double metres)
+{
+    Sighting s = rearSeen(1.8);
+    s.measurement.facesSeen.add(Face::Left);
+    s.measurement.box = {20.0 + 0.5 * metres, 0.0, 0.0, metres, 1.8};
+    return s;
+}
+
+TEST(PartialFaces, ASideTooShortForACarDoesNotTellItsFarEnd)
+{
+    EXPECT_TRUE(withoutEndOfShortSide(rearAndSideSeen(3.0)).hiddenEnds.has(Face::Front));
+    EXPECT_TRUE(withoutEndOfShortSide(rearAndSideSeen(3.9)).hiddenEnds.empty());
+    // Beside an end that is no car's it is as long as it seems: of a motorcycle, or of a bush.
+    for (const double width : {0.8, 2.6})
+    {
+        Sighting other = rearAndSideSeen(3.0);
+        other.measurement.box.width = width;
+        EXPECT_TRUE(withoutEndOfShortSide(other).hiddenEnds.empty()) << width;
+    }
+    // A side alone may be one of anything.
+    Sighting cut = rearAndSideSeen(3.0);
+    cut.measurement.facesSeen.remove(Face::Back);
+    EXPECT_TRUE(withoutEndOfShortSide(cut).hiddenEnds.empty());
+}
+
 TEST(PartialFaces, BetweenHiddenEndsTheBoxIsAsLongAsTheRow)
 {
     Sighting side = rearSeen(0.0);

@@ -15,6 +15,10 @@ Measurement withoutEndsBelowView(const Sighting& sighting, const SegmentedFrame&
 /// it where both ends are hidden: all that is known of them is that the row is between them.
 Measurement withRowsBetweenHiddenEnds(const Sighting& sighting);
 
+/// The measurement of a sighting without the far end of a side that is too short for the car whose
+/// end is beside it: hits that are missing cut the row off, on a dark body or behind a wheel house.
+Measurement withoutEndOfShortSide(const Sighting& sighting);
+
 /// The measurement of a sighting with the heading as uncertain as pieces of faces leave it: bodies
 /// are round, so that the shorter the row of hits, the more the line through it may be turned.
 /// Where a face shows from end to end, both halves of it turn the line alike.

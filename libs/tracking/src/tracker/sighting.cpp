@@ -208,6 +208,7 @@ Sighting sightingOf(const SegmentedFrame& frame, const std::vector<std::size_t>&
     }
     s.groundZ = count > 0.0 ? ground / count : 0.0;
     m = withoutEndsBelowView(s, frame);
+    m = withoutEndOfShortSide(s);
     m = withRowsBetweenHiddenEnds(s);
     m = withTurnOfPieces(s);
     m = withRecessOfEnd(s, seen);

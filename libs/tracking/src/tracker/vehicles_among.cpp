@@ -13,6 +13,8 @@ namespace vdamf
 namespace
 {
 constexpr double kSigma = 0.1;  // m, of the place of a box just measured
+// Most pieces are a hedge's; a vehicle among them is measured again, as itself.
+constexpr SearchEffort kEffort{0.0, true};
 
 bool mayBeCar(const Cluster& piece, const LifecycleOptions& options)
 {
@@ -34,8 +36,8 @@ std::optional<PredictedTarget> vehicleIn(const SegmentedFrame& piece, const Neig
         startBox(*seen.hits, piece.sensor, widestEnd(height), options.measurement.fit);
     if (std::hypot(start.length, start.width) > options.lifecycle.maxExtent) return std::nullopt;
     const Measurement m =
-        withLikelierAxes(sightingOf(piece, {0}, seen, start, std::nullopt, options.measurement, {0.0, true}),
-                         around)
+        withLikelierAxes(
+            sightingOf(piece, {0}, seen, start, std::nullopt, options.measurement, kEffort), around)
             .measurement;
     if (discriminator.vehicleProbability(m, piece, {0}) < kSurelyAVehicle) return std::nullopt;
     PredictedTarget vehicle;
