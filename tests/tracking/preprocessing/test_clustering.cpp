@@ -141,6 +141,23 @@ TEST(ClusterPoints, DropsSmallAndLongOnes)
     EXPECT_THAT(sizes(hits.clusters(options)), testing::ElementsAre(4, 5, 320));
 }
 
+TEST(ClusterHits, KeepsHitsOfGroupsTooSmall)
+{
+    Hits hits;
+    hits.addRow(10.0, -20.0, 4, 1.0, 0.0);
+    hits.addRow(10.0, -10.0, 5, 1.0, 0.0);
+    hits.add(10.0, 5.0, 0.7);  // alone
+    const ClusteredHits all = clusterHits(hits.frame, hits.above, {});
+    EXPECT_THAT(sizes(all.clusters), testing::ElementsAre(5));
+    ASSERT_EQ(all.loose.size(), 5U);
+    EXPECT_THAT(all.loose.y, testing::Contains(5.0F - 50.0F));
+    EXPECT_THAT(all.loose.height, testing::Contains(0.7F));
+    // What is too long is no group too small.
+    ClusterOptions options;
+    options.maxExtent = 0.1;
+    EXPECT_EQ(clusterHits(hits.frame, hits.above, options).loose.size(), 5U);
+}
+
 TEST(ClusterPoints, FollowsWindingObjects)
 {
     // A spiral: its end joins cells that were numbered long before.

@@ -129,7 +129,9 @@ struct Group
     float extent() const { return std::hypot(maxX - minX, maxY - minY); }
 };
 
-// By cell; all cells of a group name the same cluster, or kNone.
+constexpr std::uint32_t kLoose = kNone - 1;
+
+// By cell; all cells of a group name the same cluster, kLoose, or kNone.
 struct ClusterOfCell
 {
     std::vector<std::uint32_t> cluster;
@@ -148,8 +150,9 @@ ClusterOfCell numberClusters(const PlaneCells& cells, DisjointSets& sets,
     {
         const std::uint32_t root = sets.root(n);  // n itself, or a cell before it
         Group& group = groups[root];
-        if (root == n && group.hits >= static_cast<std::uint32_t>(options.minPoints) &&
-            group.extent() <= static_cast<float>(options.maxExtent))
+        if (root == n && group.hits < static_cast<std::uint32_t>(options.minPoints))
+            group.cluster = kLoose;
+        else if (root == n && group.extent() <= static_cast<float>(options.maxExtent))
         {
             group.cluster = static_cast<std::uint32_t>(numbers.hits.size());
             numbers.hits.push_back(group.hits);
@@ -159,17 +162,27 @@ ClusterOfCell numberClusters(const PlaneCells& cells, DisjointSets& sets,
     return numbers;
 }
 
+void appendPoint(Cluster& to, const PointCloud& points, std::size_t i, float height)
+{
+    to.x.push_back(points.x[i]);
+    to.y.push_back(points.y[i]);
+    to.z.push_back(points.z[i]);
+    to.height.push_back(height);
+    if (!points.time.empty()) to.time.push_back(points.time[i]);
+}
+
 // Where the next hit of a cluster goes.
 struct Place
 {
     float *x, *y, *z, *height;
 };
 
-std::vector<Cluster> gather(const LadarFrame& frame, const AboveGround& above,
-                            const std::vector<std::uint32_t>& cellOfHit,
-                            const ClusterOfCell& numbers)
+ClusteredHits gather(const LadarFrame& frame, const AboveGround& above,
+                     const std::vector<std::uint32_t>& cellOfHit, const ClusterOfCell& numbers)
 {
-    std::vector<Cluster> clusters(numbers.hits.size());
+    ClusteredHits all;
+    std::vector<Cluster>& clusters = all.clusters;
+    clusters.resize(numbers.hits.size());
     std::vector<Place> places;
     places.reserve(clusters.size());
     for (std::size_t i = 0; i < clusters.size(); ++i)
@@ -185,6 +198,11 @@ std::vector<Cluster> gather(const LadarFrame& frame, const AboveGround& above,
         const std::uint32_t to = numbers.cluster[cellOfHit[i]];
         if (to == kNone) continue;
         const std::size_t from = above.index[i];
+        if (to == kLoose)
+        {
+            appendPoint(all.loose, frame.points, from, above.height[i]);
+            continue;
+        }
         Place& place = places[to];
         *place.x++ = frame.points.x[from];
         *place.y++ = frame.points.y[from];
@@ -192,18 +210,24 @@ std::vector<Cluster> gather(const LadarFrame& frame, const AboveGround& above,
         *place.height++ = above.height[i];
         if (timed) clusters[to].time.push_back(frame.points.time[from]);
     }
-    return clusters;
+    return all;
 }
 }  // namespace
 
-std::vector<Cluster> clusterPoints(const LadarFrame& frame, const AboveGround& aboveGround,
-                                   const ClusterOptions& options)
+ClusteredHits clusterHits(const LadarFrame& frame, const AboveGround& aboveGround,
+                          const ClusterOptions& options)
 {
     const PlaneCells cells = sortIntoCells(frame, aboveGround);
     DisjointSets sets(cells.size());
     const Reaches reaches = reachesOf(cells, options);
     inWideLanes([&]() __attribute__((always_inline)) { uniteNeighbours(cells, reaches, sets); });
     return gather(frame, aboveGround, cells.ofHit, numberClusters(cells, sets, options));
+}
+
+std::vector<Cluster> clusterPoints(const LadarFrame& frame, const AboveGround& aboveGround,
+                                   const ClusterOptions& options)
+{
+    return clusterHits(frame, aboveGround, options).clusters;
 }
 
 }  // namespace vdamf

@@ -26,6 +26,7 @@ struct SegmentedFrame
     bool planar = false;
     RangeProfile profile;
     std::vector<Cluster> clusters;
+    Cluster loose;                ///< hits in no cluster
     std::vector<Hits> hits;       ///< of each cluster
     std::vector<bool> isVehicle;  ///< what was found to be one of each of the first clusters
 };

@@ -6,6 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "association/loose_hits.h"
 #include "tracker/attention.h"
 #include "tracker/discriminate.h"
 #include "tracker/duplicates.h"
@@ -52,6 +53,7 @@ public:
         segmented = withSharedClustersCut(std::move(segmented), predicted, options_);
         auto assignment =
             assignClusters(predicted, segmented.hits, options_.association, segmented.isVehicle);
+        assignment = withLooseHits(std::move(assignment), segmented, predicted);
         enter(Stage::Measurement);
         const auto sightings = measureTracks(segmented, assignment);
         enter(Stage::Update);
@@ -93,7 +95,9 @@ private:
         // A car before a wall is in one cluster with it.
         ClusterOptions anyExtent = options_.clustering;
         anyExtent.maxExtent = std::numeric_limits<double>::infinity();
-        s.clusters = clusterPoints(frame, above, anyExtent);
+        ClusteredHits hits = clusterHits(frame, above, anyExtent);
+        s.clusters = std::move(hits.clusters);
+        s.loose = std::move(hits.loose);
         return s;
     }
 
@@ -104,6 +108,23 @@ private:
             s.clusters.size(), [&](std::size_t i, std::size_t)
             { s.hits[i] = projected(s.clusters[i], options_.measurement.mergeCell, s.planar); });
         return s;
+    }
+
+    // Each track's loose hits are a cluster more.
+    std::vector<std::vector<std::size_t>> withLooseHits(
+        std::vector<std::vector<std::size_t>> assignment, SegmentedFrame& frame,
+        const std::vector<PredictedTarget>& predicted) const
+    {
+        std::vector<Cluster> found =
+            looseHitsOn(predicted, assignment, frame.loose, frame.sensor, options_.association);
+        for (std::size_t j = 0; j < found.size(); ++j)
+        {
+            if (found[j].size() == 0) continue;
+            assignment[j].push_back(frame.clusters.size());
+            frame.hits.push_back(projected(found[j], options_.measurement.mergeCell, frame.planar));
+            frame.clusters.push_back(std::move(found[j]));
+        }
+        return assignment;
     }
 
     // Also to where the frame's numbers begin, at the vehicle: so all that is kept has small

@@ -30,9 +30,20 @@ struct ClusterOptions
     }
 };
 
+/// All hits above ground.
+struct ClusteredHits
+{
+    std::vector<Cluster> clusters;
+    Cluster loose;  ///< in groups too small for a cluster
+};
+
 /// Groups of hits with no gap between them in the horizontal plane, ordered by their first cell
 /// (south to north, then west to east); hits keep the order of the frame. On the safe side: an
 /// object may come in several clusters, but two objects with 1 m between them do not share one.
+ClusteredHits clusterHits(const LadarFrame& frame, const AboveGround& aboveGround,
+                          const ClusterOptions& options);
+
+/// The clusters alone.
 std::vector<Cluster> clusterPoints(const LadarFrame& frame, const AboveGround& aboveGround,
                                    const ClusterOptions& options);
 

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Which hits are a vehicle's, by its predicted box.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "vdamf/tracking/association/auction.h"
+#include "vdamf/tracking/types/cluster.h"
+
+namespace vdamf
+{
+/// m; of a size along which a vehicle may be outgrown: widths that are assumed are that sure, and
+/// lengths are not.
+inline constexpr double kSureSize = 0.35;
+
+/// A vehicle as hits see it.
+class VehicleSurface
+{
+public:
+    VehicleSurface(const PredictedTarget& vehicle, const Eigen::Vector2d& sensor,
+                   const AssociationOptions& options)
+        : half_(0.5 * vehicle.box.length, 0.5 * vehicle.box.width),
+          centre_(vehicle.box.centre()),
+          velocity_(vehicle.velocity),
+          toBox_(rotation(vehicle.box.heading).transpose()),
+          view_(toBoxFrame(vehicle.box, sensor)),
+          weight_(
+              (vehicle.positionSigma.array().square() + options.surfaceSigma * options.surfaceSigma)
+                  .inverse())
+    {
+        const auto most = [](double size, double slack, double sigma)
+        { return sigma < kSureSize ? size + slack + 2.0 * sigma : 1e30; };
+        most_ = {most(vehicle.box.length, options.lengthSlack, vehicle.lengthSigma),
+                 most(vehicle.box.width, options.widthSlack, vehicle.widthSigma)};
+    }
+
+    /// Along and across the box, from its centre at the time of the hit.
+    Eigen::Vector2d placeOf(const Cluster& cluster, std::size_t i) const
+    {
+        Eigen::Vector2d p(static_cast<double>(cluster.x[i]), static_cast<double>(cluster.y[i]));
+        if (!cluster.time.empty()) p -= static_cast<double>(cluster.time[i]) * velocity_;
+        return toBox_ * (p - centre_);
+    }
+
+    bool isOutgrownBy(const Cluster& cluster) const
+    {
+        Eigen::Vector2d min(1e30, 1e30);
+        Eigen::Vector2d max = -min;
+        for (std::size_t i = 0; i < cluster.size(); ++i)
+        {
+            const Eigen::Vector2d p = placeOf(cluster, i);
+            min = min.cwiseMin(p);
+            max = max.cwiseMax(p);
+            if (((max - min).array() > most_.array()).any()) return true;
+        }
+        return false;
+    }
+
+    /// Whether a hit there is the vehicle's.
+    // Behind the faces that look away from the sensor the vehicle hides what there is of it, so
+    // what is seen there is not its own. Elsewhere its hits scatter about its box.
+    bool has(const Eigen::Vector2d& place) const
+    {
+        double squares = 0.0;
+        for (int axis = 0; axis < 2; ++axis)
+        {
+            const double out = std::abs(place(axis)) - half_(axis);
+            if (out <= 0.0) continue;
+            const bool isBehind =
+                std::abs(view_(axis)) > half_(axis) && view_(axis) * place(axis) < 0.0;
+            if (isBehind) return false;
+            squares += out * out * weight_(axis);
+        }
+        return squares < 1.0;
+    }
+
+private:
+    Eigen::Vector2d half_;  // m
+    Eigen::Vector2d centre_;
+    Eigen::Vector2d velocity_;
+    Eigen::Matrix2d toBox_;
+    Eigen::Vector2d view_;    // of the sensor, in the box
+    Eigen::Vector2d weight_;  // inverse variances along and across, 1/m^2
+    Eigen::Vector2d most_;    // extents of a cluster that is the vehicle's alone, m
+};
+
+}  // namespace vdamf
