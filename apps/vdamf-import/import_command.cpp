@@ -56,11 +56,10 @@ Eigen::Isometry3d sensorPoseFrom(const std::vector<double>& n)
 {
     Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
     if (n.empty()) return pose;
-    constexpr double kRadian = kPi / 180.0;
     pose.translation() = Eigen::Vector3d(n.at(0), n.at(1), n.at(2));
-    pose.linear() = (Eigen::AngleAxisd(n.at(3) * kRadian, Eigen::Vector3d::UnitZ()) *
-                     Eigen::AngleAxisd(n.at(4) * kRadian, Eigen::Vector3d::UnitY()) *
-                     Eigen::AngleAxisd(n.at(5) * kRadian, Eigen::Vector3d::UnitX()))
+    pose.linear() = (Eigen::AngleAxisd(n.at(3) * kDegree, Eigen::Vector3d::UnitZ()) *
+                     Eigen::AngleAxisd(n.at(4) * kDegree, Eigen::Vector3d::UnitY()) *
+                     Eigen::AngleAxisd(n.at(5) * kDegree, Eigen::Vector3d::UnitX()))
                         .toRotationMatrix();
     if (!pose.matrix().allFinite())
         throw std::invalid_argument("--sensor-pose: expected six finite numbers");

@@ -18,7 +18,6 @@ enum Row
     kSlip
 };
 
-constexpr double kDegree = kPi / 180.0;
 constexpr double kGravity = 9.81;
 
 constexpr double square(double x)

@@ -18,6 +18,10 @@
 
 namespace vdamf
 {
+// What a program may take before it ends, whatever is wrong with its files.
+inline constexpr double kLongest = 10.0;    // s
+inline constexpr double kLargest = 1024.0;  // MB
+
 /// The writing end of a named pipe.
 class Feed
 {

@@ -43,7 +43,7 @@ inline std::string twoFaces(const std::string& id, const OrientedBox& box,
     return rows;
 }
 
-class Fit : public TemporaryFolder
+class FitProgram : public TemporaryFolder
 {
 protected:
     /// Runs the program on a table; its exit code. Output of both streams: output_.

@@ -16,7 +16,7 @@
 
 namespace vdamf
 {
-class Sweep : public TemporaryFolder
+class SweepProgram : public TemporaryFolder
 {
 protected:
     /// Sections [sweep] and [vary], and more behind the recordings.

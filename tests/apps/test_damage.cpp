@@ -14,9 +14,6 @@ namespace
 {
 namespace fs = std::filesystem;
 
-constexpr double kLongest = 10.0;    // s
-constexpr double kLargest = 1024.0;  // MB
-
 int runs(int fallback)
 {
     const char* text = std::getenv("VDAMF_DAMAGE_RUNS");

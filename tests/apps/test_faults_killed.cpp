@@ -11,8 +11,6 @@ namespace
 {
 namespace fs = std::filesystem;
 
-constexpr double kLongest = 10.0;        // s
-constexpr double kLargest = 1024.0;      // MB
 constexpr off_t kSparse = 100LL << 30U;  // bytes
 
 TEST_F(Faults, AKilledRunIsReadableUpToItsLastFrame)

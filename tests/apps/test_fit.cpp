@@ -22,7 +22,7 @@ const char* const kCovariance[] = {
     "var_heading_rad2", "cov_x_length", "cov_y_length",      "cov_heading_length", "var_length_m2",
     "cov_x_width",      "cov_y_width",  "cov_heading_width", "cov_length_width",   "var_width_m2"};
 
-TEST_F(Fit, RecoversABox)
+TEST_F(FitProgram, RecoversABox)
 {
     ASSERT_EQ(fit(kFitHeader + twoFaces("car", kCar, {0.0, 0.0})), 0) << output_;
     EXPECT_THAT(output_, HasSubstr("clusters       1"));
@@ -39,7 +39,7 @@ TEST_F(Fit, RecoversABox)
     EXPECT_FALSE(rows.next());
 }
 
-TEST_F(Fit, MapCoordinatesLoseNothing)
+TEST_F(FitProgram, MapCoordinatesLoseNothing)
 {
     const Eigen::Vector2d map(1234567.0, -7654321.0);
     OrientedBox far = kCar;
@@ -56,7 +56,7 @@ TEST_F(Fit, MapCoordinatesLoseNothing)
     EXPECT_NEAR(rows.number("length_m"), length, 0.001);
 }
 
-TEST_F(Fit, StartsFromTheHeadingOfTheTable)
+TEST_F(FitProgram, StartsFromTheHeadingOfTheTable)
 {
     const std::string header = "cluster,sensor_x_m,sensor_y_m,x_m,y_m,heading_rad\n";
     ASSERT_EQ(fit(header + twoFaces("free", kCar, {0.0, 0.0}, ",") +
@@ -71,7 +71,7 @@ TEST_F(Fit, StartsFromTheHeadingOfTheTable)
     EXPECT_EQ(rows.text("faces_seen"), "FL");
 }
 
-TEST_F(Fit, DegenerateClustersGetARowWithTheReason)
+TEST_F(FitProgram, DegenerateClustersGetARowWithTheReason)
 {
     struct Case
     {
@@ -102,7 +102,7 @@ TEST_F(Fit, DegenerateClustersGetARowWithTheReason)
     }
 }
 
-TEST_F(Fit, OddClustersGiveFiniteNumbers)
+TEST_F(FitProgram, OddClustersGiveFiniteNumbers)
 {
     const std::string line =
         "line,0,0,1,1\nline,0,0,2,2\nline,0,0,3,3\nline,0,0,4,4\nline,0,0,5,5\n";
@@ -123,7 +123,7 @@ TEST_F(Fit, OddClustersGiveFiniteNumbers)
     EXPECT_EQ(count, 5);
 }
 
-TEST_F(Fit, TakesTheMeasurementOfTheConfiguration)
+TEST_F(FitProgram, TakesTheMeasurementOfTheConfiguration)
 {
     const std::string table = kFitHeader + twoFaces("car", kCar, {0.0, 0.0});
     const auto iterationsWith = [&](const std::string& arguments)
@@ -158,7 +158,7 @@ double mostMemory()
     return 1024.0 * static_cast<double>(usage.ru_maxrss);
 }
 
-TEST_F(Fit, ManyClustersTakeNoMoreMemoryThanOne)
+TEST_F(FitProgram, ManyClustersTakeNoMoreMemoryThanOne)
 {
 #ifdef __SANITIZE_ADDRESS__
     GTEST_SKIP() << "AddressSanitizer keeps what was freed";

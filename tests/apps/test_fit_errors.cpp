@@ -14,7 +14,7 @@ namespace
 using testing::HasSubstr;
 namespace fs = std::filesystem;
 
-using FitErrors = Fit;
+using FitErrors = FitProgram;
 
 TEST_F(FitErrors, MalformedTablesAreErrorsWithTheirPlace)
 {

@@ -13,7 +13,7 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 namespace fs = std::filesystem;
 
-TEST_F(Sweep, LeavesWholeRunsTablesAPageAndTheBestConfiguration)
+TEST_F(SweepProgram, LeavesWholeRunsTablesAPageAndTheBestConfiguration)
 {
     writeSweep("", "measurement.sigma_m = 0.1 : 0.1 : 0.3");
     const Outcome first = sweep("out");
@@ -34,7 +34,7 @@ TEST_F(Sweep, LeavesWholeRunsTablesAPageAndTheBestConfiguration)
     EXPECT_EQ(config.exitCode, 0) << config.output;
 }
 
-TEST_F(Sweep, RunsThatAreDoneAreSkipped)
+TEST_F(SweepProgram, RunsThatAreDoneAreSkipped)
 {
     writeSweep("", "measurement.sigma_m = 0.1 : 0.1 : 0.3");
     ASSERT_EQ(sweep("out").exitCode, 0);
@@ -48,7 +48,7 @@ TEST_F(Sweep, RunsThatAreDoneAreSkipped)
     EXPECT_THAT(sweep("out", "--no-resume").output, Not(HasSubstr("done before")));
 }
 
-TEST_F(Sweep, KilledAndStartedAgainGivesTheSameTable)
+TEST_F(SweepProgram, KilledAndStartedAgainGivesTheSameTable)
 {
     writeSweep("", "measurement.sigma_m = 0.10 : 0.04 : 0.38");
     ASSERT_EQ(sweep("whole", "-q").exitCode, 0);
@@ -71,7 +71,7 @@ TEST_F(Sweep, KilledAndStartedAgainGivesTheSameTable)
     EXPECT_THAT(sweep("killed").output, HasSubstr("remove the folder " + one.string()));
 }
 
-TEST_F(Sweep, InterruptedItSaysHowToGoOn)
+TEST_F(SweepProgram, InterruptedItSaysHowToGoOn)
 {
     writeSweep("", "measurement.sigma_m = 0.10 : 0.01 : 0.40");
     const pid_t process = start("out", "-j 1");
@@ -83,7 +83,7 @@ TEST_F(Sweep, InterruptedItSaysHowToGoOn)
     EXPECT_FALSE(fs::exists(at("out/table.csv")));
 }
 
-TEST_F(Sweep, AFailedRunIsToldWithItsLog)
+TEST_F(SweepProgram, AFailedRunIsToldWithItsLog)
 {
     make("bad/broken.rawlog", "this is no rawlog");
     make("bad/truth.csv", "neither a truth");
@@ -104,7 +104,7 @@ TEST_F(Sweep, AFailedRunIsToldWithItsLog)
     EXPECT_EQ(logs, 2U);
 }
 
-TEST_F(Sweep, RecordingsWithTheSameContentAreOneRun)
+TEST_F(SweepProgram, RecordingsWithTheSameContentAreOneRun)
 {
     const std::string street = VDAMF_SOURCE_DIR "/datasets/street/";
     fs::create_symlink(street + "street.rawlog", at("copy.rawlog"));
@@ -116,7 +116,7 @@ TEST_F(Sweep, RecordingsWithTheSameContentAreOneRun)
     EXPECT_THAT(contentOf("out/table.csv"), HasSubstr("\n2,copy,0.2,done,"));
 }
 
-TEST_F(Sweep, SearchesAndDraws)
+TEST_F(SweepProgram, SearchesAndDraws)
 {
     writeSweep("plan = optimise\ncount = 5\ngoal = min errors.position_m.median",
                "measurement.sigma_m = 0.1 : 0.4");
@@ -133,7 +133,7 @@ TEST_F(Sweep, SearchesAndDraws)
     EXPECT_EQ(runsIn("drawn"), 3U);
 }
 
-TEST_F(Sweep, BadUse)
+TEST_F(SweepProgram, BadUse)
 {
     writeSweep("", "measurement.sigma = 0.1, 0.2");
     const Outcome unknown = sweep("out");
@@ -150,7 +150,7 @@ TEST_F(Sweep, BadUse)
     EXPECT_THAT(runApp("vdamf-sweep", "--print-metrics").output, HasSubstr("\nhota.hota\n"));
 }
 
-TEST_F(Sweep, TheExamplePasses)
+TEST_F(SweepProgram, TheExamplePasses)
 {
     const Outcome plan =
         runApp("vdamf-sweep", "-c '" VDAMF_SOURCE_DIR "/datasets/sweeps/street.ini' --dry-run");

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kSlurm = "[slurm]\ntime_min = 5\nmemory_mb = 500\npoll_s = 0.2\n";
 
-class SweepOnSlurm : public Sweep
+class SweepOnSlurm : public SweepProgram
 {
 protected:
     void SetUp() override

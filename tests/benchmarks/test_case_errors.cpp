@@ -12,7 +12,6 @@ namespace vdamf
 {
 namespace
 {
-constexpr double kDegree = kPi / 180.0;
 
 // Seen from the origin: back and right.
 LabelledCluster exampleSample()

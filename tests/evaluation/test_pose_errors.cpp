@@ -9,7 +9,7 @@ namespace vdamf
 {
 namespace
 {
-PoseError errorOf(const TruthRow& truth, const TrackRow& track)
+PoseError poseErrorOf(const TruthRow& truth, const TrackRow& track)
 {
     const Sequence sequence = sequenceOf({{truth, track}});
     return poseErrors(sequence, allPaired(sequence)).at(0);
@@ -17,7 +17,7 @@ PoseError errorOf(const TruthRow& truth, const TrackRow& track)
 
 TEST(PoseErrors, OfAPerfectTrackAreZero)
 {
-    const PoseError e = errorOf(exampleCar(), trackOn(exampleCar()));
+    const PoseError e = poseErrorOf(exampleCar(), trackOn(exampleCar()));
     for (const double error : {e.position, e.longitudinal, e.lateral, e.heading, e.headingAxis,
                                e.speed, e.length, e.width, *e.corner})
     {
@@ -35,7 +35,7 @@ TEST(PoseErrors, OfAPerfectTrackAreZero)
 
 TEST(PoseErrors, AShiftFallsOnTheAxesOfTheObject)
 {
-    const PoseError e = errorOf(exampleCar(), moved(trackOn(exampleCar()), 0.3, -0.1));
+    const PoseError e = poseErrorOf(exampleCar(), moved(trackOn(exampleCar()), 0.3, -0.1));
     EXPECT_NEAR(e.longitudinal, 0.3, 1e-12);
     EXPECT_NEAR(e.lateral, -0.1, 1e-12);
     EXPECT_NEAR(e.position, std::sqrt(0.1), 1e-12);
@@ -51,7 +51,7 @@ TEST(PoseErrors, OnlyTheHiddenEndIsWrong)
     truth.box.heading = 0.0;  // the sensor stands 10 m behind
     TrackRow track = moved(trackOn(truth), 0.5, 0.0);
     track.report.box.length += 1.0;
-    const PoseError e = errorOf(truth, track);
+    const PoseError e = poseErrorOf(truth, track);
     EXPECT_NEAR(*e.corner, 0.0, 1e-12);
     EXPECT_NEAR(e.longitudinal, 0.5, 1e-12);
     EXPECT_NEAR(e.length, 1.0, 1e-12);
@@ -63,7 +63,7 @@ TEST(PoseErrors, AFlipIsOneOfHeadingAlone)
     TrackRow track = trackOn(exampleCar());
     track.report.box.heading += kPi + 0.02;
     track.report.speed = -5.5;
-    const PoseError e = errorOf(exampleCar(), track);
+    const PoseError e = poseErrorOf(exampleCar(), track);
     EXPECT_TRUE(e.flipped);
     EXPECT_NEAR(e.heading, -kPi + 0.02, 1e-12);
     EXPECT_NEAR(e.headingAxis, 0.02, 1e-12);
@@ -80,7 +80,7 @@ TEST(PoseErrors, AcrossTheSeamOfTheAngles)
     truth.box.heading = kPi - 0.01;
     TrackRow track = trackOn(truth);
     track.report.box.heading = -kPi + 0.02;
-    const PoseError e = errorOf(truth, track);
+    const PoseError e = poseErrorOf(truth, track);
     EXPECT_NEAR(e.heading, 0.03, 1e-12);
     EXPECT_FALSE(e.flipped);
 }
@@ -114,7 +114,7 @@ TEST(PoseErrors, WhatIsNotKnownIsNotMadeUp)
     TrackRow track = trackOn(truth);
     track.report.covariance.setZero();
     track.report.lengthVariance = 0.0;
-    const PoseError e = errorOf(truth, track);
+    const PoseError e = poseErrorOf(truth, track);
     EXPECT_FALSE(e.corner.has_value());
     EXPECT_FALSE(e.range.has_value());
     EXPECT_FALSE(e.nis.has_value());

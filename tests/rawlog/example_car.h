@@ -51,4 +51,11 @@ inline double headingError(const VehiclePose& pose, double t)
     return std::abs(wrapAngle(headingOf(pose) - Car::heading(t)));
 }
 
+inline InsOptions insFrom(InsSource source)
+{
+    InsOptions options;
+    options.source = source;
+    return options;
+}
+
 }  // namespace vdamf::test

@@ -16,6 +16,8 @@
 #include <string>
 #include <vector>
 
+#include "vdamf/tracking/types/geometry.h"
+
 namespace vdamf
 {
 class KittiExampleDrive
@@ -66,7 +68,6 @@ public:
     static std::string oxts(int i)
     {
         constexpr double kEarthRadius = 6378137.0;
-        constexpr double kDegree = 3.14159265358979323846 / 180.0;
         const double scale = std::cos(kLatitude * kDegree);
         const double mercator = std::log(std::tan(0.5 * (90.0 + kLatitude) * kDegree));
         const double latitude =
@@ -131,13 +132,5 @@ private:
 
     std::filesystem::path folder_;
 };
-
-/// `text` with its first `from` replaced by `to`, to damage a file of the drive.
-inline std::string replaced(std::string text, const std::string& from, const std::string& to)
-{
-    const std::size_t at = text.find(from);
-    return at == std::string::npos ? "(not found: " + from + ")"
-                                   : text.replace(at, from.size(), to);
-}
 
 }  // namespace vdamf

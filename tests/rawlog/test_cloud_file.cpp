@@ -12,6 +12,7 @@
 #include <stdexcept>
 
 #include "../files/temporary_folder.h"
+#include "replaced_text.h"
 
 namespace vdamf
 {
@@ -145,7 +146,7 @@ std::vector<std::string> allForms()
             asciiPly(), binaryPly(false), binaryPly(true)};
 }
 
-std::string errorOf(const std::string& bytes)
+std::string cloudError(const std::string& bytes)
 {
     try
     {
@@ -156,13 +157,6 @@ std::string errorOf(const std::string& bytes)
         return error.what();
     }
     return "none";
-}
-
-std::string replaced(std::string text, const std::string& what, const std::string& by)
-{
-    const std::size_t at = text.find(what);
-    EXPECT_NE(at, std::string::npos) << what;
-    return text.replace(at, what.size(), by);
 }
 
 TEST(CloudFile, AllFormsGiveTheSameHits)
@@ -184,27 +178,30 @@ TEST(CloudFile, TimesAreTakenInTheUnitAskedFor)
 
 TEST(CloudFile, SaysWhatIsWrong)
 {
-    EXPECT_THAT(errorOf("nothing"), HasSubstr("c.pcd:1: no PCD header"));
-    EXPECT_THAT(errorOf(""), HasSubstr("line DATA is missing"));
-    EXPECT_THAT(errorOf(replaced(asciiPcd(), "FIELDS x", "FIELDS u")), HasSubstr("no field 'x'"));
-    EXPECT_THAT(errorOf(replaced(asciiPcd(), "SIZE 4 8", "SIZE 4")), HasSubstr("c.pcd:4: SIZE"));
-    EXPECT_THAT(errorOf(replaced(asciiPcd(), "POINTS 50", "POINTS 51")),
+    EXPECT_THAT(cloudError("nothing"), HasSubstr("c.pcd:1: no PCD header"));
+    EXPECT_THAT(cloudError(""), HasSubstr("line DATA is missing"));
+    EXPECT_THAT(cloudError(replaced(asciiPcd(), "FIELDS x", "FIELDS u")),
+                HasSubstr("no field 'x'"));
+    EXPECT_THAT(cloudError(replaced(asciiPcd(), "SIZE 4 8", "SIZE 4")), HasSubstr("c.pcd:4: SIZE"));
+    EXPECT_THAT(cloudError(replaced(asciiPcd(), "POINTS 50", "POINTS 51")),
                 HasSubstr("ends after 50 of 51 points"));
-    EXPECT_THAT(errorOf(replaced(asciiPcd(), "-2.5", "abc")),
+    EXPECT_THAT(cloudError(replaced(asciiPcd(), "-2.5", "abc")),
                 HasSubstr("c.pcd:12: expected a num"));
-    EXPECT_THAT(errorOf(replaced(asciiPcd(), "-2.5 ", "")), HasSubstr("c.pcd:12: expected 8 numb"));
-    EXPECT_THAT(errorOf(replaced(binaryPcd(), "POINTS 50", "POINTS 49999999")),
+    EXPECT_THAT(cloudError(replaced(asciiPcd(), "-2.5 ", "")),
+                HasSubstr("c.pcd:12: expected 8 numb"));
+    EXPECT_THAT(cloudError(replaced(binaryPcd(), "POINTS 50", "POINTS 49999999")),
                 HasSubstr("claims more than 1 GB"));
-    EXPECT_THAT(errorOf(replaced(binaryPcd(), "POINTS 50", "POINTS 5000")), HasSubstr("cut short"));
-    EXPECT_THAT(errorOf(binaryPcd().substr(0, 900)), HasSubstr("cut short"));
-    EXPECT_THAT(errorOf(compressedPcd().substr(0, 900)), HasSubstr("bytes of compressed data"));
-    EXPECT_THAT(errorOf(replaced(asciiPly(), "property float x", "property list uchar int x")),
-                HasSubstr("has a list"));
-    EXPECT_THAT(errorOf(replaced(asciiPly(), "element vertex 50", "element vertex -1")),
-                HasSubstr("c.ply:6: expected 'element"));
-    EXPECT_THAT(errorOf(replaced(binaryPly(true), "vertex 50", "vertex 5000")),
+    EXPECT_THAT(cloudError(replaced(binaryPcd(), "POINTS 50", "POINTS 5000")),
                 HasSubstr("cut short"));
-    EXPECT_THAT(errorOf(replaced(asciiPly(), "element vertex", "element wertex")),
+    EXPECT_THAT(cloudError(binaryPcd().substr(0, 900)), HasSubstr("cut short"));
+    EXPECT_THAT(cloudError(compressedPcd().substr(0, 900)), HasSubstr("bytes of compressed data"));
+    EXPECT_THAT(cloudError(replaced(asciiPly(), "property float x", "property list uchar int x")),
+                HasSubstr("has a list"));
+    EXPECT_THAT(cloudError(replaced(asciiPly(), "element vertex 50", "element vertex -1")),
+                HasSubstr("c.ply:6: expected 'element"));
+    EXPECT_THAT(cloudError(replaced(binaryPly(true), "vertex 50", "vertex 5000")),
+                HasSubstr("cut short"));
+    EXPECT_THAT(cloudError(replaced(asciiPly(), "element vertex", "element wertex")),
                 HasSubstr("no element 'vertex'"));
 }
 
@@ -219,7 +216,7 @@ TEST(CloudFile, DamageDoesNoHarm)
             for (int k = 0; k < 3; ++k)
                 bytes[random() % bytes.size()] = static_cast<char>(random());
             if (i % 5 == 0) bytes.resize(random() % bytes.size());
-            read += errorOf(bytes) == "none" ? 1 : 0;
+            read += cloudError(bytes) == "none" ? 1 : 0;
         }
     EXPECT_GT(read, 100);
     EXPECT_LT(read, 1700);

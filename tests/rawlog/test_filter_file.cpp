@@ -8,6 +8,7 @@
 #include <functional>
 
 #include "files/temporary_folder.h"
+#include "rawlog/replaced_text.h"
 #include "vdamf/rawlog/configuration.h"
 
 namespace vdamf
@@ -30,13 +31,6 @@ FilterBank exampleBank()
     truck.parameters.hull.farEnd = 3.3;
     bank.filters.push_back(truck);
     return bank;
-}
-
-std::string replaced(std::string text, const std::string& what, const std::string& by)
-{
-    const std::size_t at = text.find(what);
-    EXPECT_NE(at, std::string::npos) << what;
-    return text.replace(at, what.size(), by);
 }
 
 std::string refusal(const std::function<void()>& reading)

@@ -15,6 +15,7 @@ using mrpt::obs::CObservationGPS;
 using test::Car;
 using test::headingError;
 using test::headingOf;
+using test::insFrom;
 using test::kStart;
 using test::robotPose;
 
@@ -26,7 +27,6 @@ struct Geodetic
     double height = 400.0;
 };
 
-constexpr double kDegree = kPi / 180.0;
 constexpr double kEquator = 6378137.0;
 constexpr double kFlattening = 1.0 / 298.257223563;
 constexpr double kEccentricity2 = kFlattening * (2.0 - kFlattening);
@@ -94,16 +94,9 @@ CObservationGPS inspvas(double t)
     return observation;
 }
 
-InsOptions from(InsSource source)
-{
-    InsOptions options;
-    options.source = source;
-    return options;
-}
-
 TEST(InsFromGps, InspvasGivesPositionAndAttitude)
 {
-    InsTrajectory ins{from(InsSource::Gps)};
+    InsTrajectory ins{insFrom(InsSource::Gps)};
     for (int i = 0; i <= 100; ++i)
     {
         CObservationGPS observation = inspvas(0.1 * i);
@@ -131,7 +124,7 @@ TEST(InsFromGps, InspvasGivesPositionAndAttitude)
 
 TEST(InsFromGps, PositionsAloneTakeTheCourse)
 {
-    InsTrajectory ins{from(InsSource::Gps)};
+    InsTrajectory ins{insFrom(InsSource::Gps)};
     for (int i = 0; i <= 100; ++i)
     {
         CObservationGPS observation = gga(0.1 * i, Car::position(0.1 * i));
@@ -153,7 +146,7 @@ TEST(InsFromGps, PositionsAloneTakeTheCourse)
 
 TEST(InsFromGps, KeepsTheCourseAtStandstill)
 {
-    InsTrajectory ins{from(InsSource::Gps)};
+    InsTrajectory ins{insFrom(InsSource::Gps)};
     ins.insert(gga(0.0, Eigen::Vector3d::Zero()));
     EXPECT_FALSE(ins.at(kStart)) << "the heading is not known yet";
     // Stands, drives to the north-west for a second, stands for ten.
@@ -175,7 +168,7 @@ TEST(InsFromGps, KeepsTheCourseAtStandstill)
 
 TEST(InsFromGps, TakesTheBestThatAReceiverSends)
 {
-    InsTrajectory ins{from(InsSource::Gps)};
+    InsTrajectory ins{insFrom(InsSource::Gps)};
     for (int i = 0; i < 20; ++i)
     {
         ins.insert(gga(0.1 * i, Car::position(0.1 * i)));

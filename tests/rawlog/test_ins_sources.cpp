@@ -22,6 +22,7 @@ using Movement = mrpt::obs::CActionRobotMovement2D;
 using test::Car;
 using test::headingError;
 using test::headingOf;
+using test::insFrom;
 using test::kStart;
 using test::robotPose;
 
@@ -64,13 +65,6 @@ mrpt::obs::CObservationIMU imu(double t, double yaw)
     return observation;
 }
 
-InsOptions from(InsSource source)
-{
-    InsOptions options;
-    options.source = source;
-    return options;
-}
-
 TEST(InsSources, OdometryGivesPlanarPoses)
 {
     InsTrajectory ins{InsOptions{}};
@@ -94,7 +88,7 @@ TEST(InsSources, AutoTakesOdometryOnlyWhereNothingBetterIs)
     ins.insert(robotPose(0.1));
     ASSERT_TRUE(ins.at(kStart + 0.05));
     EXPECT_EQ(ins.sourceName(), "CObservationRobotPose 'ins'");
-    InsTrajectory wheels{from(InsSource::Odometry)};
+    InsTrajectory wheels{insFrom(InsSource::Odometry)};
     wheels.insert(robotPose(0.0));
     wheels.insert(odometry(0.0));
     EXPECT_EQ(wheels.sourceName(), "CObservationOdometry 'wheels'");
@@ -102,7 +96,7 @@ TEST(InsSources, AutoTakesOdometryOnlyWhereNothingBetterIs)
 
 TEST(InsSources, StandingNeedsNoObservation)
 {
-    InsTrajectory ins{from(InsSource::Standing)};
+    InsTrajectory ins{insFrom(InsSource::Standing)};
     ins.insert(robotPose(0.0));
     const auto pose = ins.at(kStart + 5.0);
     ASSERT_TRUE(pose);

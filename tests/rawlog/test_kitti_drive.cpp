@@ -8,6 +8,7 @@
 
 #include "../files/temporary_folder.h"
 #include "kitti_example_drive.h"
+#include "replaced_text.h"
 #include "vdamf/tracking/types/geometry.h"
 
 namespace vdamf

@@ -6,6 +6,7 @@
 
 #include "../files/temporary_folder.h"
 #include "kitti_example_drive.h"
+#include "replaced_text.h"
 
 namespace vdamf
 {

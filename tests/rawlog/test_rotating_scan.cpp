@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "../files/temporary_folder.h"
+#include "hit_range.h"
 #include "sample_rawlogs.h"
 #include "vdamf/rawlog/rawlog_reader.h"
 #include "vdamf/rawlog/scan.h"
@@ -45,11 +46,6 @@ mrpt::obs::CObservationVelodyneScan quarterTurn(VelodyneModel model, double firi
 double distance(const PointCloud& a, std::size_t i, const PointCloud& b, std::size_t j)
 {
     return std::hypot(a.x[i] - b.x[j], a.y[i] - b.y[j], a.z[i] - b.z[j]);
-}
-
-double rangeOf(const PointCloud& cloud, std::size_t i)
-{
-    return std::hypot(cloud.x[i], cloud.y[i], cloud.z[i]);
 }
 
 /// The hit of equal range and, within 20 us, equal time. Times of packets are whole microseconds,

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "example_objects.h"
+#include "hit_range.h"
 #include "sample_rawlogs.h"
 #include "vdamf/rawlog/ins_trajectory.h"
 #include "vdamf/rawlog/velodyne_packets.h"
@@ -44,11 +45,6 @@ INSTANTIATE_TEST_SUITE_P(Mrpt, SampleRawlogs,
                                            "test-3d-obs-ground.rawlog", "tests_rgbd.rawlog",
                                            "test-imu-obs-format3.rawlog",
                                            "test-imu-obs-format4.rawlog"));
-
-double rangeOf(const PointCloud& cloud, std::size_t i)
-{
-    return std::sqrt(cloud.x[i] * cloud.x[i] + cloud.y[i] * cloud.y[i] + cloud.z[i] * cloud.z[i]);
-}
 
 TEST(SampleObservations, VelodyneGivesAllPoints)
 {

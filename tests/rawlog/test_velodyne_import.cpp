@@ -21,7 +21,7 @@ using mrpt::obs::CObservationVelodyneScan;
 using test::ExampleCapture;
 using ::testing::HasSubstr;
 
-constexpr double kTime = 1453364282.0;  // 08:18:02 UTC
+constexpr double kFirstPacket = 1453364282.0;  // 08:18:02 UTC
 constexpr double kPacketPeriod = 24 * 55.296e-6;
 
 class VelodyneImportTest : public TemporaryFolder
@@ -78,7 +78,7 @@ void addTurns(ExampleCapture& capture, double begin, double turns, int host = 1)
 TEST_F(VelodyneImportTest, MakesScansOfRevolutions)
 {
     ExampleCapture capture;
-    addTurns(capture, kTime, 3.0);
+    addTurns(capture, kFirstPacket, 3.0);
     const VelodyneImportSummary summary = import(capture);
     EXPECT_EQ(summary.scans, 4U);  // they are cut at the rear
     EXPECT_EQ(summary.capture.problem, "");
@@ -89,16 +89,16 @@ TEST_F(VelodyneImportTest, MakesScansOfRevolutions)
     for (const auto& scan : scans) points += decodeVelodyne(*scan).size();
     EXPECT_EQ(points, summary.points);
     EXPECT_EQ(points, static_cast<std::size_t>(0.3 / 55.296e-6) * 16);
-    EXPECT_NEAR(mrpt::Clock::toDouble(scans[0]->timestamp), kTime, 1e-6);
-    EXPECT_NEAR(mrpt::Clock::toDouble(scans[1]->timestamp), kTime + 0.05, kPacketPeriod);
-    EXPECT_NEAR(mrpt::Clock::toDouble(scans[2]->timestamp), kTime + 0.15, kPacketPeriod);
+    EXPECT_NEAR(mrpt::Clock::toDouble(scans[0]->timestamp), kFirstPacket, 1e-6);
+    EXPECT_NEAR(mrpt::Clock::toDouble(scans[1]->timestamp), kFirstPacket + 0.05, kPacketPeriod);
+    EXPECT_NEAR(mrpt::Clock::toDouble(scans[2]->timestamp), kFirstPacket + 0.15, kPacketPeriod);
     EXPECT_EQ(scans[0]->calibration.laser_corrections.size(), 16U);
 }
 
 TEST_F(VelodyneImportTest, CutsWhereAsked)
 {
     ExampleCapture capture;
-    addTurns(capture, kTime, 3.0);
+    addTurns(capture, kFirstPacket, 3.0);
     job_.cutAzimuth = 0.0;
     EXPECT_EQ(import(capture).scans, 3U);
 }
@@ -108,12 +108,12 @@ TEST_F(VelodyneImportTest, ReadsEveryLinkLayer)
     for (const std::uint32_t link : {0U, 1U, 12U, 113U, 228U, 276U})
     {
         ExampleCapture capture(link);
-        addTurns(capture, kTime, 1.0);
+        addTurns(capture, kFirstPacket, 1.0);
         EXPECT_EQ(import(capture).capture.data, 76U) << link;
     }
     ExampleCapture tagged;
     tagged.tagged = true;
-    addTurns(tagged, kTime, 1.0);
+    addTurns(tagged, kFirstPacket, 1.0);
     EXPECT_EQ(import(tagged).capture.data, 76U);
     EXPECT_THAT(error(ExampleCapture(105).bytes()), HasSubstr("link of type 105"));
 }
@@ -121,9 +121,9 @@ TEST_F(VelodyneImportTest, ReadsEveryLinkLayer)
 TEST_F(VelodyneImportTest, TheSensorsClockTakesTheJitterOut)
 {
     ExampleCapture capture;
-    double time = kTime;
+    double time = kFirstPacket;
     int i = 0;
-    for (const std::string& packet : test::turningPackets(VelodyneModel::VLP16, kTime, 2.5))
+    for (const std::string& packet : test::turningPackets(VelodyneModel::VLP16, kFirstPacket, 2.5))
     {
         capture.add(time + (i % 7 == 3 ? 0.004 : 0.0), packet);
         time += kPacketPeriod;
@@ -140,9 +140,9 @@ TEST_F(VelodyneImportTest, TheSensorsClockTakesTheJitterOut)
 TEST_F(VelodyneImportTest, TellsOfAClockThatStartsAnew)
 {
     ExampleCapture capture;
-    addTurns(capture, kTime, 1.0);
+    addTurns(capture, kFirstPacket, 1.0);
     // The sensor was switched off and on; it counts from the hour again.
-    double time = kTime + 30.0;
+    double time = kFirstPacket + 30.0;
     for (const std::string& packet : test::turningPackets(VelodyneModel::VLP16, 1e6, 1.0))
     {
         capture.add(time, packet);
@@ -163,11 +163,11 @@ TEST_F(VelodyneImportTest, PositionPacketsBecomeGps)
         "$GPGGA,081804.00,3649.7478558,N,00224.4542928,W,4,12,0.8,25.5,M,48.1,"
         "M,,*46\r\n";
     ExampleCapture capture;
-    addTurns(capture, kTime, 1.0);
-    capture.add(kTime + 0.1, test::positionPacket(1082100000, rmc));
-    capture.add(kTime + 0.2, test::positionPacket(1082200000, rmc));  // nothing new
-    capture.add(kTime + 0.3, test::positionPacket(1082300000, wrong));
-    capture.add(kTime + 2.3, test::positionPacket(1084300000, gga));
+    addTurns(capture, kFirstPacket, 1.0);
+    capture.add(kFirstPacket + 0.1, test::positionPacket(1082100000, rmc));
+    capture.add(kFirstPacket + 0.2, test::positionPacket(1082200000, rmc));  // nothing new
+    capture.add(kFirstPacket + 0.3, test::positionPacket(1082300000, wrong));
+    capture.add(kFirstPacket + 2.3, test::positionPacket(1084300000, gga));
     const VelodyneImportSummary summary = import(capture);
     EXPECT_EQ(summary.capture.positions, 4U);
     const auto gps = written<CObservationGPS>();
@@ -178,7 +178,7 @@ TEST_F(VelodyneImportTest, PositionPacketsBecomeGps)
     EXPECT_NEAR(fields.speed_knots, 0.034, 1e-9);
     EXPECT_EQ(fields.date_year, 16);
     // The time that it was measured at, by the clock of the scans.
-    EXPECT_NEAR(mrpt::Clock::toDouble(gps[0]->timestamp), kTime, 1e-5);
+    EXPECT_NEAR(mrpt::Clock::toDouble(gps[0]->timestamp), kFirstPacket, 1e-5);
     const auto& height = gps[1]->getMsgByClass<mrpt::obs::gnss::Message_NMEA_GGA>().fields;
     EXPECT_NEAR(height.altitude_meters, 25.5, 1e-9);
     EXPECT_EQ(height.fix_quality, 4);
@@ -187,11 +187,11 @@ TEST_F(VelodyneImportTest, PositionPacketsBecomeGps)
 TEST_F(VelodyneImportTest, EachSensorHasScansOfItsOwn)
 {
     ExampleCapture capture;
-    const auto left = test::turningPackets(VelodyneModel::VLP16, kTime, 1.0);
-    const auto right = test::turningPackets(VelodyneModel::HDL32E, kTime, 1.0);
+    const auto left = test::turningPackets(VelodyneModel::VLP16, kFirstPacket, 1.0);
+    const auto right = test::turningPackets(VelodyneModel::HDL32E, kFirstPacket, 1.0);
     for (std::size_t i = 0; i < left.size(); ++i)
     {
-        const double time = kTime + kPacketPeriod * static_cast<double>(i);
+        const double time = kFirstPacket + kPacketPeriod * static_cast<double>(i);
         capture.add(time, left[i], 1);
         capture.add(time, right[i], 2);
     }
@@ -207,7 +207,7 @@ TEST_F(VelodyneImportTest, EachSensorHasScansOfItsOwn)
 TEST_F(VelodyneImportTest, PosesAreWrittenInTheirOrder)
 {
     ExampleCapture capture;
-    addTurns(capture, kTime, 2.0);
+    addTurns(capture, kFirstPacket, 2.0);
     job_.poses = make("p.txt",
                       "# t x y z qx qy qz qw\n1453364281.9 0 0 0 0 0 0 1\n"
                       "1453364282.1 1 0 0 0 0 0 1\n1453364282.3 2 0 0 0 0 0 1\n");
@@ -229,7 +229,7 @@ TEST_F(VelodyneImportTest, PosesAreWrittenInTheirOrder)
 TEST_F(VelodyneImportTest, ACutCaptureGivesWhatItHolds)
 {
     ExampleCapture capture;
-    addTurns(capture, kTime, 2.0);
+    addTurns(capture, kFirstPacket, 2.0);
     const VelodyneImportSummary summary =
         importBytes(capture.bytes().substr(0, capture.bytes().size() - 700));
     EXPECT_THAT(summary.capture.problem, HasSubstr("truncated"));
@@ -242,11 +242,11 @@ TEST_F(VelodyneImportTest, SaysWhatItCannotImport)
     EXPECT_THAT(error("no capture at all, but some text"), HasSubstr("c.pcap: not a network"));
     EXPECT_THAT(error(""), HasSubstr("c.pcap: not a network"));
     ExampleCapture other;
-    other.add(kTime, "hello");
+    other.add(kFirstPacket, "hello");
     EXPECT_THAT(error(other.bytes()),
                 HasSubstr("no data packets of a Velodyne sensor among its 1"));
     ExampleCapture vlp;
-    addTurns(vlp, kTime, 1.0);
+    addTurns(vlp, kFirstPacket, 1.0);
     job_.model = VelodyneModel::HDL32E;
     EXPECT_THAT(error(vlp.bytes()), HasSubstr("packets are of the model VLP-16, not HDL-32E"));
     job_.model.reset();
@@ -254,8 +254,8 @@ TEST_F(VelodyneImportTest, SaysWhatItCannotImport)
     EXPECT_THAT(error(vlp.bytes()), HasSubstr("c.xml: no calibration"));
     job_.calibration.clear();
     ExampleCapture hdl64;
-    for (const std::string& packet : test::turningPackets(VelodyneModel::HDL64E, kTime, 0.1))
-        hdl64.add(kTime, packet);
+    for (const std::string& packet : test::turningPackets(VelodyneModel::HDL64E, kFirstPacket, 0.1))
+        hdl64.add(kFirstPacket, packet);
     EXPECT_THAT(error(hdl64.bytes()), HasSubstr("needs its own calibration"));
     EXPECT_FALSE(std::filesystem::exists(at("o.rawlog.partial")));
     job_.capture = at("none.pcap");
@@ -267,7 +267,7 @@ TEST_F(VelodyneImportTest, SaysWhatItCannotImport)
 TEST_F(VelodyneImportTest, StopsOnRequest)
 {
     ExampleCapture capture;
-    addTurns(capture, kTime, 3.0);
+    addTurns(capture, kFirstPacket, 3.0);
     job_.output.progress = [](std::size_t scans, double) { return scans < 2; };
     EXPECT_TRUE(import(capture).stopped);
     EXPECT_FALSE(std::filesystem::exists(at("o.rawlog")));

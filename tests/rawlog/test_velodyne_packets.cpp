@@ -10,15 +10,15 @@
 #include <set>
 
 #include "../files/temporary_folder.h"
+#include "hit_range.h"
 #include "vdamf/tracking/types/geometry.h"
 
 namespace vdamf
 {
 namespace
 {
-using Scan = mrpt::obs::CObservationVelodyneScan;
 
-constexpr double kTime = 1.5e9 + 0.25;
+constexpr double kScanTime = 1.5e9 + 0.25;
 
 struct Sensor
 {
@@ -59,13 +59,8 @@ std::vector<VelodyneFiring> firingsOf(const Sensor& sensor, int count)
     return firings;
 }
 
-double rangeOf(const PointCloud& cloud, std::size_t i)
-{
-    return std::sqrt(cloud.x[i] * cloud.x[i] + cloud.y[i] * cloud.y[i] + cloud.z[i] * cloud.z[i]);
-}
-
 /// Writes into the raw bytes of a packet.
-void poke(Scan& scan, std::size_t packet, std::size_t offset, std::uint8_t value)
+void poke(VelodyneScan& scan, std::size_t packet, std::size_t offset, std::uint8_t value)
 {
     std::memcpy(reinterpret_cast<char*>(&scan.scan_packets[packet]) + offset, &value, 1);
 }
@@ -78,7 +73,7 @@ TEST_P(VelodynePackets, DecodeWhatWasEncoded)
 {
     const Sensor& sensor = GetParam();
     const std::vector<VelodyneFiring> firings = firingsOf(sensor, 1203);
-    const PointCloud cloud = decodeVelodyne(encodeVelodyne(sensor.model, kTime, firings));
+    const PointCloud cloud = decodeVelodyne(encodeVelodyne(sensor.model, kScanTime, firings));
     ASSERT_EQ(firings.size() * lasersOf(sensor), cloud.size());
     ASSERT_EQ(cloud.size(), cloud.time.size());
     // Points come block by block: for the HDL-64E lasers 0..31, then 32..63 of the same firing.
@@ -106,7 +101,7 @@ TEST_P(VelodynePackets, AllLasersAppear)
 {
     const Sensor& sensor = GetParam();
     const PointCloud cloud =
-        decodeVelodyne(encodeVelodyne(sensor.model, kTime, firingsOf(sensor, 24)));
+        decodeVelodyne(encodeVelodyne(sensor.model, kScanTime, firingsOf(sensor, 24)));
     std::set<long> lasers;
     for (const float intensity : cloud.intensity) lasers.insert(std::lround(intensity * 255.0F));
     EXPECT_EQ(lasersOf(sensor), lasers.size());
@@ -115,7 +110,7 @@ TEST_P(VelodynePackets, AllLasersAppear)
 TEST_P(VelodynePackets, NominalElevationsNeedNoCalibration)
 {
     const Sensor& sensor = GetParam();
-    Scan scan = encodeVelodyne(sensor.model, kTime, firingsOf(sensor, 24));
+    VelodyneScan scan = encodeVelodyne(sensor.model, kScanTime, firingsOf(sensor, 24));
     const PointCloud calibrated = decodeVelodyne(scan);
     scan.calibration.clear();
     const PointCloud nominal = decodeVelodyne(scan);
@@ -140,7 +135,7 @@ TEST_P(VelodynePackets, TimeGoesOnOverTheHour)
 TEST_P(VelodynePackets, NonsenseStampsAreReplacedByTheNominalPace)
 {
     const Sensor& sensor = GetParam();
-    Scan scan = encodeVelodyne(sensor.model, kTime, firingsOf(sensor, 1200));
+    VelodyneScan scan = encodeVelodyne(sensor.model, kScanTime, firingsOf(sensor, 1200));
     for (std::size_t i = 0; i < scan.scan_packets.size(); ++i)
     {
         for (std::size_t k = 0; k < 4; ++k)
@@ -162,12 +157,12 @@ TEST(VelodyneEncoder, LeavesOutWhatIsNoReturn)
     firing.range[3] = 0.0F;
     firing.range[4] = 132.0F;
     firing.range[5] = std::nanf("");
-    const Scan scan = encodeVelodyne(VelodyneModel::HDL32E, kTime, {firing});
+    const VelodyneScan scan = encodeVelodyne(VelodyneModel::HDL32E, kScanTime, {firing});
     const PointCloud cloud = decodeVelodyne(scan);
     ASSERT_EQ(29u, cloud.size());
     EXPECT_EQ(1.0F, cloud.intensity[0]);
     EXPECT_EQ(1u, scan.scan_packets.size());
-    EXPECT_NEAR(kTime, mrpt::Clock::toDouble(scan.timestamp), 1e-6);
+    EXPECT_NEAR(kScanTime, mrpt::Clock::toDouble(scan.timestamp), 1e-6);
 }
 
 TEST(VelodyneEncoder, WantsARangeForEachLaser)
@@ -175,8 +170,8 @@ TEST(VelodyneEncoder, WantsARangeForEachLaser)
     VelodyneFiring firing;
     firing.range.assign(16, 10.0F);
     firing.intensity.assign(16, 0.0F);
-    EXPECT_THROW(encodeVelodyne(VelodyneModel::HDL32E, kTime, {firing}), std::runtime_error);
-    EXPECT_TRUE(encodeVelodyne(VelodyneModel::HDL32E, kTime, {}).scan_packets.empty());
+    EXPECT_THROW(encodeVelodyne(VelodyneModel::HDL32E, kScanTime, {firing}), std::runtime_error);
+    EXPECT_TRUE(encodeVelodyne(VelodyneModel::HDL32E, kScanTime, {}).scan_packets.empty());
 }
 
 TEST(VelodyneDecoder, DropsTheSecondOfTwoEqualReturns)
@@ -186,10 +181,10 @@ TEST(VelodyneDecoder, DropsTheSecondOfTwoEqualReturns)
     std::vector<VelodyneFiring> twice;
     for (const VelodyneFiring& firing : single) twice.insert(twice.end(), 2, firing);
     twice[1].range[7] += 5.0F;
-    Scan scan = encodeVelodyne(sensor.model, kTime, twice);
+    VelodyneScan scan = encodeVelodyne(sensor.model, kScanTime, twice);
     for (std::size_t i = 0; i < scan.scan_packets.size(); ++i)
     {
-        poke(scan, i, 1204, Scan::RETMODE_DUAL);
+        poke(scan, i, 1204, VelodyneScan::RETMODE_DUAL);
     }
     const PointCloud cloud = decodeVelodyne(scan);
     ASSERT_EQ(12u * 32 + 1, cloud.size());
@@ -205,7 +200,7 @@ TEST(VelodyneDecoder, CorrectsByTheCalibration)
     VelodyneFiring firing;
     firing.range.assign(64, 10.0F);
     firing.intensity.assign(64, 0.5F);
-    Scan scan = encodeVelodyne(VelodyneModel::HDL64E, kTime, {firing});
+    VelodyneScan scan = encodeVelodyne(VelodyneModel::HDL64E, kScanTime, {firing});
     auto& laser = scan.calibration.laser_corrections[40];
     // In radians, as from a YAML file.
     for (auto& one : scan.calibration.laser_corrections) one.verticalCorrection *= kPi / 180.0;
@@ -229,8 +224,8 @@ TEST(VelodyneDecoder, CorrectsByTheCalibration)
 
 TEST(VelodyneDecoder, TakesTheStoredCloudWhereThereAreNoPackets)
 {
-    Scan scan;
-    scan.timestamp = mrpt::Clock::fromDouble(kTime);
+    VelodyneScan scan;
+    scan.timestamp = mrpt::Clock::fromDouble(kScanTime);
     scan.point_cloud.x = {1.0F, 2.0F};
     scan.point_cloud.y = {3.0F, 4.0F};
     scan.point_cloud.z = {5.0F, 6.0F};
@@ -239,7 +234,7 @@ TEST(VelodyneDecoder, TakesTheStoredCloudWhereThereAreNoPackets)
     EXPECT_EQ(std::vector<float>({3.0F, 4.0F}), cloud.y);
     EXPECT_EQ(std::vector<float>({1.0F, 0.2F}), cloud.intensity);
     EXPECT_TRUE(cloud.time.empty());
-    scan.point_cloud.timestamp = {scan.timestamp, mrpt::Clock::fromDouble(kTime + 0.01)};
+    scan.point_cloud.timestamp = {scan.timestamp, mrpt::Clock::fromDouble(kScanTime + 0.01)};
     cloud = decodeVelodyne(scan);
     ASSERT_EQ(2u, cloud.time.size());
     EXPECT_NEAR(0.01, cloud.time[1], 1e-6);
@@ -247,7 +242,8 @@ TEST(VelodyneDecoder, TakesTheStoredCloudWhereThereAreNoPackets)
 
 TEST(VelodyneDecoder, NamesASensorThatItDoesNotKnow)
 {
-    Scan scan = encodeVelodyne(VelodyneModel::HDL32E, kTime, firingsOf(kSensors[1], 12));
+    VelodyneScan scan =
+        encodeVelodyne(VelodyneModel::HDL32E, kScanTime, firingsOf(kSensors[1], 12));
     poke(scan, 0, 1205, 0x28);  // VLP-32C
     EXPECT_NE(std::string::npos, errorOf([&] { decodeVelodyne(scan); }).find("0x28"));
     poke(scan, 0, 1205, 0x22);
@@ -256,7 +252,8 @@ TEST(VelodyneDecoder, NamesASensorThatItDoesNotKnow)
 
 TEST(VelodyneDecoder, SkipsBrokenBlocks)
 {
-    Scan scan = encodeVelodyne(VelodyneModel::HDL32E, kTime, firingsOf(kSensors[1], 12));
+    VelodyneScan scan =
+        encodeVelodyne(VelodyneModel::HDL32E, kScanTime, firingsOf(kSensors[1], 12));
     poke(scan, 0, 100, 0x00);  // header of block 1
     poke(scan, 0, 203, 0xff);  // azimuth of block 2
     EXPECT_EQ(10u * 32, decodeVelodyne(scan).size());

@@ -13,8 +13,8 @@ namespace vdamf
 {
 namespace
 {
-constexpr double kStart = 1.5e9;
-constexpr double kSpeed = 20.0;                  // m/s
+constexpr double kDriveStart = 1.5e9;
+constexpr double kDriveSpeed = 20.0;             // m/s
 constexpr double kTurning = 30.0 * kPi / 180.0;  // rad/s
 const Eigen::Vector3d kPole(30.0, 15.0, 1.0);
 const Eigen::Vector3d kSensor(1.0, 0.0, 2.0);
@@ -22,10 +22,10 @@ const Eigen::Vector3d kSensor(1.0, 0.0, 2.0);
 /// Drives a circle.
 VehiclePose truePose(double t)
 {
-    const double radius = kSpeed / kTurning;
+    const double radius = kDriveSpeed / kTurning;
     const double heading = kTurning * t;
     VehiclePose pose;
-    pose.time = kStart + t;
+    pose.time = kDriveStart + t;
     pose.position = {radius * std::sin(heading), radius * (1.0 - std::cos(heading)), 0.0};
     pose.attitude = Eigen::AngleAxisd(heading, Eigen::Vector3d::UnitZ());
     return pose;
@@ -53,7 +53,7 @@ Scan scanOfPole(double t, double begin, double end)
 {
     constexpr int kHits = 500;
     Scan scan;
-    scan.time = kStart + t;
+    scan.time = kDriveStart + t;
     scan.sensorInVehicle = kSensor;
     for (int i = 0; i < kHits; ++i)
     {

@@ -7,20 +7,13 @@
 #include <pugixml.hpp>
 #include <string>
 
+#include "report/occurrences.h"
 #include "vdamf/tracking/discrimination/features.h"
 
 namespace vdamf
 {
 namespace
 {
-std::size_t countOf(const std::string& text, const std::string& part)
-{
-    std::size_t count = 0;
-    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
-        ++count;
-    return count;
-}
-
 TEST(WeightsPicture, HasACellForEachWeightBlueForAndRedAgainst)
 {
     DiscriminatorModel model = untrainedModel();

@@ -11,7 +11,7 @@ namespace vdamf
 {
 namespace
 {
-std::size_t countOf(const ShownHits& shown)
+std::size_t hitsShown(const ShownHits& shown)
 {
     return std::accumulate(shown.clusters.begin(), shown.clusters.end(),
                            shown.ground.size() + shown.overhead.size() + shown.structure.size(),
@@ -53,8 +53,8 @@ TEST(HitSelection, StaysBelowItsLimit)
         options.hitsPerFrame = limit;
         const ShownHits shown =
             selectHits(test::exampleFrame(1.0, 20000), test::exampleResult(1.0), options);
-        EXPECT_LE(countOf(shown), limit);
-        EXPECT_GT(countOf(shown), limit / 8);
+        EXPECT_LE(hitsShown(shown), limit);
+        EXPECT_GT(hitsShown(shown), limit / 8);
         EXPECT_FALSE(shown.clusters.at(0).hits.empty());
     }
 }
@@ -62,14 +62,14 @@ TEST(HitSelection, StaysBelowItsLimit)
 TEST(HitSelection, LeavesOutWhatIsFarOrNoNumber)
 {
     LadarFrame frame = test::exampleFrame(1.0, 0);
-    const std::size_t before = countOf(selectHits(frame, test::exampleResult(1.0), {}));
+    const std::size_t before = hitsShown(selectHits(frame, test::exampleResult(1.0), {}));
     for (const float x : {500.0F, std::nanf("")})
     {
         frame.points.x.push_back(x);
         frame.points.y.push_back(0.0F);
         frame.points.z.push_back(0.0F);
     }
-    EXPECT_EQ(countOf(selectHits(frame, test::exampleResult(1.0), {})), before);
+    EXPECT_EQ(hitsShown(selectHits(frame, test::exampleResult(1.0), {})), before);
 }
 
 }  // namespace

@@ -8,6 +8,8 @@
 #include <limits>
 #include <pugixml.hpp>
 
+#include "report/occurrences.h"
+
 namespace vdamf
 {
 namespace
@@ -22,14 +24,6 @@ Chart unitChart(std::vector<Curve> curves)
             {"across", AxisScale::Linear, 0.0, 1.0},
             {"up", AxisScale::Linear, 0.0, 1.0},
             std::move(curves)};
-}
-
-std::size_t countOf(const std::string& text, const std::string& part)
-{
-    std::size_t count = 0;
-    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
-        ++count;
-    return count;
 }
 
 bool isXml(const std::string& text)

@@ -11,7 +11,7 @@ namespace vdamf
 {
 namespace
 {
-Scenario scenarioOf(const std::string& ins)
+Scenario scenarioWithIns(const std::string& ins)
 {
     return readScenario(IniDocument::parse(
         "[scenario]\nins_rate_hz = 100\n[platform]\nspeed_mps = 5\nheading_deg = 30\n[ins]\n" + ins,
@@ -47,7 +47,7 @@ double meanOfProducts(const std::vector<double>& values, std::size_t lag)
 
 TEST(Ins, WithoutErrorsIsThePlatform)
 {
-    const Scenario scenario = scenarioOf("");
+    const Scenario scenario = scenarioWithIns("");
     for (const InsSample& sample : samplesOf(scenario, 50))
     {
         const GroundPose exact = platformPoseAt(scenario.scene, sample.sceneTime);
@@ -59,7 +59,7 @@ TEST(Ins, WithoutErrorsIsThePlatform)
 
 TEST(Ins, TheFirstSampleIsExactWhateverTheErrors)
 {
-    const Scenario scenario = scenarioOf(
+    const Scenario scenario = scenarioWithIns(
         "position_noise_m = 1\nposition_bias_m = 5\nheading_noise_deg = 3\nloss_share = 0.9\n"
         "tilt_noise_deg = 2\n");
     const InsSample first = samplesOf(scenario, 1).front();
@@ -72,7 +72,7 @@ TEST(Ins, TheFirstSampleIsExactWhateverTheErrors)
 
 TEST(Ins, WhiteNoiseHasItsDeviationAndNoMemory)
 {
-    const std::vector<double> errors = errorsOf(scenarioOf("position_noise_m = 0.2\n"), 20000);
+    const std::vector<double> errors = errorsOf(scenarioWithIns("position_noise_m = 0.2\n"), 20000);
     EXPECT_NEAR(std::sqrt(meanOfProducts(errors, 0)), 0.2, 0.005);
     EXPECT_NEAR(meanOfProducts(errors, 1) / meanOfProducts(errors, 0), 0.0, 0.03);
 }
@@ -80,7 +80,7 @@ TEST(Ins, WhiteNoiseHasItsDeviationAndNoMemory)
 TEST(Ins, BiasDriftsWithItsDeviationAndTime)
 {
     const std::vector<double> errors =
-        errorsOf(scenarioOf("position_bias_m = 0.5\nbias_time_s = 1\n"), 200000);
+        errorsOf(scenarioWithIns("position_bias_m = 0.5\nbias_time_s = 1\n"), 200000);
     const double variance = meanOfProducts(errors, 0);
     EXPECT_NEAR(std::sqrt(variance), 0.5, 0.04);
     EXPECT_NEAR(meanOfProducts(errors, 100) / variance, std::exp(-1.0), 0.08);
@@ -90,12 +90,12 @@ TEST(Ins, BiasDriftsWithItsDeviationAndTime)
 TEST(Ins, SingleLossesAndGaps)
 {
     int lost = 0;
-    for (const InsSample& sample : samplesOf(scenarioOf("loss_share = 0.3\n"), 10000))
+    for (const InsSample& sample : samplesOf(scenarioWithIns("loss_share = 0.3\n"), 10000))
         lost += sample.isLost ? 1 : 0;
     EXPECT_NEAR(lost, 3000, 200);
 
     for (const InsSample& sample :
-         samplesOf(scenarioOf("gap_every_s = 4\ngap_length_s = 0.5\n"), 1000))
+         samplesOf(scenarioWithIns("gap_every_s = 4\ngap_length_s = 0.5\n"), 1000))
     {
         const double inPeriod = std::fmod(sample.sceneTime, 4.0);
         if (std::abs(inPeriod - 3.5) < 1e-6 || inPeriod > 4.0 - 1e-6) continue;
@@ -105,7 +105,7 @@ TEST(Ins, SingleLossesAndGaps)
 
 TEST(Ins, HeadingNoiseAndItsSigmas)
 {
-    const Scenario scenario = scenarioOf("heading_noise_deg = 1\nheading_bias_deg = 0.5\n");
+    const Scenario scenario = scenarioWithIns("heading_noise_deg = 1\nheading_bias_deg = 0.5\n");
     double squares = 0.0;
     const std::vector<InsSample> samples = samplesOf(scenario, 5000);
     for (const InsSample& sample : samples) squares += std::pow(sample.pose.heading - kPi / 6.0, 2);

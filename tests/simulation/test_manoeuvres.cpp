@@ -135,7 +135,7 @@ TEST(Manoeuvres, WhatCannotBeDrivenIsRefused)
     EXPECT_TRUE(speedTo(5.0, 5.0, 1.0).empty());
 }
 
-std::string errorOf(const char* text, double speed)
+std::string segmentsError(const char* text, double speed)
 {
     try
     {
@@ -159,14 +159,16 @@ TEST(Manoeuvres, TextMixesNumbersAndNames)
 
 TEST(Manoeuvres, ErrorsNameTheItemAndWhatWasExpected)
 {
-    EXPECT_THAT(errorOf("keep 1, lane_chnge 3 4", 5.0), HasSubstr("segment 2 is 'lane_chnge 3 4'"));
-    EXPECT_THAT(errorOf("keep 1, lane_chnge 3 4", 5.0), HasSubstr("lane_change OFFSET_M"));
-    EXPECT_THAT(errorOf("stop 2, turn 90 9", 5.0), HasSubstr("segment 2 is 'turn 90 9': it needs"));
-    EXPECT_THAT(errorOf("lane_change 30 2", 5.0), HasSubstr("less than"));
+    EXPECT_THAT(segmentsError("keep 1, lane_chnge 3 4", 5.0),
+                HasSubstr("segment 2 is 'lane_chnge 3 4'"));
+    EXPECT_THAT(segmentsError("keep 1, lane_chnge 3 4", 5.0), HasSubstr("lane_change OFFSET_M"));
+    EXPECT_THAT(segmentsError("stop 2, turn 90 9", 5.0),
+                HasSubstr("segment 2 is 'turn 90 9': it needs"));
+    EXPECT_THAT(segmentsError("lane_change 30 2", 5.0), HasSubstr("less than"));
     for (const char* bad :
          {"turn 90", "turn 90 9 1", "stop", "keep x", "1 0 0 2", "1 0 0 0 0", ","})
     {
-        EXPECT_THAT(errorOf(bad, 5.0), HasSubstr("segment 1")) << bad;
+        EXPECT_THAT(segmentsError(bad, 5.0), HasSubstr("segment 1")) << bad;
     }
 }
 }  // namespace

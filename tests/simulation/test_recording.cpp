@@ -96,16 +96,16 @@ TEST_F(ArgoverseLog, ErrorsNameFileLineAndColumn)
     EXPECT_THROW(readArgoverseLog(at("missing")), std::runtime_error);
 }
 
-Scenario scenarioOf(const std::filesystem::path& folder, const std::string& text)
+Scenario scenarioIn(const std::filesystem::path& folder, const std::string& text)
 {
     return readScenario(IniDocument::parse(text, (folder / "scenario.ini").string()));
 }
 
-std::string errorOf(const std::filesystem::path& folder, const std::string& text)
+std::string errorIn(const std::filesystem::path& folder, const std::string& text)
 {
     try
     {
-        scenarioOf(folder, text);
+        scenarioIn(folder, text);
     }
     catch (const IniError& error)
     {
@@ -122,7 +122,7 @@ TEST_F(Traffic, ALogDrivesObjectsAndPlatform)
 {
     writeLog(at(""));
     const Scenario scenario =
-        scenarioOf(at(""), "[scenario]\nduration_s = 3\n[traffic]\nargoverse_log = .\n");
+        scenarioIn(at(""), "[scenario]\nduration_s = 3\n[traffic]\nargoverse_log = .\n");
     ASSERT_EQ(scenario.scene.objects.size(), 2U);  // the cone is seen too rarely
     EXPECT_NEAR(scenario.scene.platform.at(1.0).y, 10.0, 1e-4);
     EXPECT_NEAR(scenario.scene.platform.at(1.0).speed, 10.0, 1e-3);
@@ -135,7 +135,7 @@ TEST_F(Traffic, ALogDrivesObjectsAndPlatform)
 
 TEST_F(Traffic, ATruthTableGivesTheSameMotionBack)
 {
-    const Scenario source = scenarioOf(
+    const Scenario source = scenarioIn(
         at(""),
         "[scenario]\nduration_s = 6\n[platform]\nx_m = 3\nspeed_mps = 8\n[object bend]\nclass = "
         "van\nx_m = 30\ny_m = 4\nheading_deg = 180\nspeed_mps = 7\nsegments = keep 1, turn 60 "
@@ -146,7 +146,7 @@ TEST_F(Traffic, ATruthTableGivesTheSameMotionBack)
         for (const TruthRow& row : simulateFrame(source, i).truth) table += toCsv(row);
     }
     write(at("truth.csv"), table);
-    const Scenario again = scenarioOf(at(""), "[traffic]\ntable = truth.csv\n");
+    const Scenario again = scenarioIn(at(""), "[traffic]\ntable = truth.csv\n");
     ASSERT_EQ(again.scene.objects.size(), 2U);
     EXPECT_EQ(again.scene.objects[0].objectClass, ObjectClass::Van);
     for (const double time : {0.5, 2.0, 4.1})
@@ -164,21 +164,21 @@ TEST_F(Traffic, ATruthTableGivesTheSameMotionBack)
 TEST_F(Traffic, MistakesAreNamed)
 {
     writeLog(at(""));
-    EXPECT_THAT(errorOf(at(""), "[traffic]\nargoverse_log = elsewhere\n"),
+    EXPECT_THAT(errorIn(at(""), "[traffic]\nargoverse_log = elsewhere\n"),
                 HasSubstr("scenario.ini:2: traffic.argoverse_log"));
-    EXPECT_THAT(errorOf(at(""), "[traffic]\nargoverse_log = .\n[platform]\nx_m = 1\n"),
+    EXPECT_THAT(errorIn(at(""), "[traffic]\nargoverse_log = .\n[platform]\nx_m = 1\n"),
                 HasSubstr("remove the section [platform]"));
-    EXPECT_THAT(errorOf(at(""), "[traffic]\nargoverse_log = .\ntable = t.csv\n"),
+    EXPECT_THAT(errorIn(at(""), "[traffic]\nargoverse_log = .\ntable = t.csv\n"),
                 HasSubstr("cannot be given together"));
-    EXPECT_THAT(errorOf(at(""), "[traffic]\nargoverse_log = .\n[object ahead]\nx_m = 60\n"),
+    EXPECT_THAT(errorIn(at(""), "[traffic]\nargoverse_log = .\n[object ahead]\nx_m = 60\n"),
                 HasSubstr("another object ahead"));
 }
 
 TEST(Towing, MistakesAreNamed)
 {
-    EXPECT_THAT(errorOf("", "[object t]\nclass = trailer\ntowed_by = truck\n"),
+    EXPECT_THAT(errorIn("", "[object t]\nclass = trailer\ntowed_by = truck\n"),
                 HasSubstr("stands above in the file"));
-    EXPECT_THAT(errorOf("",
+    EXPECT_THAT(errorIn("",
                         "[object truck]\nclass = truck\n[object t]\nclass = trailer\n"
                         "towed_by = truck\nspeed_mps = 3\n"),
                 HasSubstr("scenario.ini:6: object t.speed_mps: follows from what tows it"));
@@ -187,7 +187,7 @@ TEST(Towing, MistakesAreNamed)
 TEST(Towing, ATrailerHangsBehindItsTruck)
 {
     const Scenario scenario =
-        scenarioOf("",
+        scenarioIn("",
                    "[object truck]\nclass = truck\nx_m = 40\nspeed_mps = 5\nsegments = turn 90 20\n"
                    "[object t]\nclass = trailer\ntowed_by = truck\ndrawbar_m = 2\n");
     const OrientedBox truck = boxAt(scenario.scene.objects[0], 0.0);

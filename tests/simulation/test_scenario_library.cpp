@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "simulation/solid_objects.h"
 #include "vdamf/evaluation/box_overlap.h"
 #include "vdamf/simulation/scenario.h"
 
@@ -36,11 +37,6 @@ class Library : public testing::TestWithParam<std::filesystem::path>
 protected:
     const Scenario scenario_ = readScenario(IniDocument::load(GetParam()));
 };
-
-bool isSolid(const SceneObject& object)
-{
-    return object.objectClass != ObjectClass::Bush && object.objectClass != ObjectClass::Tree;
-}
 
 /// The solid objects, and a car around the platform.
 std::vector<SceneObject> bodiesOf(const Scenario& scenario)

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "simulation/solid_objects.h"
 #include "vdamf/evaluation/box_overlap.h"
 #include "vdamf/evaluation/tables.h"
 #include "vdamf/simulation/scenario.h"
@@ -20,11 +21,6 @@ Scenario street()
 }
 
 /// Foliage may overlap; all else is solid.
-bool isSolid(const SceneObject& object)
-{
-    return object.objectClass != ObjectClass::Bush && object.objectClass != ObjectClass::Tree;
-}
-
 TEST(Street, NothingCollides)
 {
     const Scenario scenario = street();

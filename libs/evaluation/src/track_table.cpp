@@ -39,36 +39,36 @@ constexpr const char* kType = "vehicle_type";
 constexpr const char* kTypeProbability = "type_probability";
 
 // Order of toNumbers().
-constexpr std::array<Column, 30> kColumns = {{{"time_s", Form::Decimals6},
-                                              {"track_id", Form::Whole},
-                                              {"status", Form::Status},
-                                              {"vehicle_probability", Form::Decimals6},
-                                              {"is_vehicle", Form::Whole},
-                                              {"x_m", Form::Decimals4},
-                                              {"y_m", Form::Decimals4},
-                                              {"z_m", Form::Decimals4},
-                                              {"heading_rad", Form::Decimals6},
-                                              {"speed_mps", Form::Decimals4},
-                                              {"yaw_rate_radps", Form::Decimals6},
-                                              {"length_m", Form::Decimals4},
-                                              {"width_m", Form::Decimals4},
-                                              {"height_m", Form::Decimals4},
-                                              {"points", Form::Whole},
-                                              {"match", Form::Significant8},
-                                              {"nis", Form::Significant8},
-                                              {"faces_seen", Form::Faces},
-                                              {"var_x_m2", Form::Significant8},
-                                              {"cov_xy_m2", Form::Significant8},
-                                              {"var_y_m2", Form::Significant8},
-                                              {"cov_x_heading", Form::Significant8},
-                                              {"cov_y_heading", Form::Significant8},
-                                              {"var_heading_rad2", Form::Significant8},
-                                              {"var_speed", Form::Significant8},
-                                              {"var_length_m2", Form::Significant8},
-                                              {"var_width_m2", Form::Significant8},
-                                              {kForward, Form::Decimals6},
-                                              {kType, Form::Type},
-                                              {kTypeProbability, Form::Decimals6}}};
+constexpr std::array<Column, 30> kTrackColumns = {{{"time_s", Form::Decimals6},
+                                                   {"track_id", Form::Whole},
+                                                   {"status", Form::Status},
+                                                   {"vehicle_probability", Form::Decimals6},
+                                                   {"is_vehicle", Form::Whole},
+                                                   {"x_m", Form::Decimals4},
+                                                   {"y_m", Form::Decimals4},
+                                                   {"z_m", Form::Decimals4},
+                                                   {"heading_rad", Form::Decimals6},
+                                                   {"speed_mps", Form::Decimals4},
+                                                   {"yaw_rate_radps", Form::Decimals6},
+                                                   {"length_m", Form::Decimals4},
+                                                   {"width_m", Form::Decimals4},
+                                                   {"height_m", Form::Decimals4},
+                                                   {"points", Form::Whole},
+                                                   {"match", Form::Significant8},
+                                                   {"nis", Form::Significant8},
+                                                   {"faces_seen", Form::Faces},
+                                                   {"var_x_m2", Form::Significant8},
+                                                   {"cov_xy_m2", Form::Significant8},
+                                                   {"var_y_m2", Form::Significant8},
+                                                   {"cov_x_heading", Form::Significant8},
+                                                   {"cov_y_heading", Form::Significant8},
+                                                   {"var_heading_rad2", Form::Significant8},
+                                                   {"var_speed", Form::Significant8},
+                                                   {"var_length_m2", Form::Significant8},
+                                                   {"var_width_m2", Form::Significant8},
+                                                   {kForward, Form::Decimals6},
+                                                   {kType, Form::Type},
+                                                   {kTypeProbability, Form::Decimals6}}};
 
 std::string significant(double value)
 {
@@ -213,8 +213,8 @@ const std::vector<std::string>& trackColumns()
     static const std::vector<std::string> kNames = []
     {
         std::vector<std::string> names;
-        names.reserve(kColumns.size());
-        for (const Column& column : kColumns) names.emplace_back(column.name);
+        names.reserve(kTrackColumns.size());
+        for (const Column& column : kTrackColumns) names.emplace_back(column.name);
         return names;
     }();
     return kNames;
@@ -272,9 +272,9 @@ std::string toCsv(const FrameResult& frame)
     {
         const std::vector<double> numbers = toNumbers(frame.time, report);
         std::vector<std::string> cells;
-        for (std::size_t i = 0; i < kColumns.size(); ++i)
+        for (std::size_t i = 0; i < kTrackColumns.size(); ++i)
         {
-            cells.push_back(cellOf(numbers[i], kColumns[i].form));
+            cells.push_back(cellOf(numbers[i], kTrackColumns[i].form));
         }
         lines += joined(cells, ",") + '\n';
     }

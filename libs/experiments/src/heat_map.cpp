@@ -16,11 +16,11 @@ namespace
 constexpr double kLeastFieldWidth = 74.0;
 constexpr double kLetterWidth = 7.0;
 constexpr double kFieldHeight = 34.0;
-constexpr double kLeft = 130.0;
-constexpr double kTop = 30.0;
-constexpr double kBottom = 52.0;
-constexpr double kRight = 12.0;
-constexpr std::size_t kMostValues = 24;
+constexpr double kMapLeft = 130.0;
+constexpr double kMapTop = 30.0;
+constexpr double kMapBottom = 52.0;
+constexpr double kMapRight = 12.0;
+constexpr std::size_t kMostFields = 24;
 
 // Matplotlib's viridis at five places: even in lightness, also for the colour-blind.
 constexpr std::array<std::array<double, 3>, 5> kViridis = {
@@ -56,7 +56,7 @@ struct HeatMap
     double most = 0.0;
     double fieldWidth = kLeastFieldWidth;  ///< room for the longest value below it
 
-    double left(std::size_t x) const { return kLeft + fieldWidth * static_cast<double>(x); }
+    double left(std::size_t x) const { return kMapLeft + fieldWidth * static_cast<double>(x); }
     const Field& at(std::size_t x, std::size_t y) const
     {
         return fields[y * across.values.size() + x];
@@ -83,7 +83,7 @@ std::string text(double x, double y, const std::string& content, const std::stri
 
 double top(const HeatMap& map, std::size_t y)
 {
-    return kTop + kFieldHeight * static_cast<double>(map.up.values.size() - 1 - y);
+    return kMapTop + kFieldHeight * static_cast<double>(map.up.values.size() - 1 - y);
 }
 
 std::string fieldSvg(const HeatMap& map, std::size_t x, std::size_t y)
@@ -109,15 +109,15 @@ std::string labelsSvg(const HeatMap& map, double width, double height)
 {
     std::string svg;
     for (std::size_t x = 0; x < map.across.values.size(); ++x)
-        svg += text(map.left(x) + 0.5 * map.fieldWidth, height - kBottom + 18.0,
+        svg += text(map.left(x) + 0.5 * map.fieldWidth, height - kMapBottom + 18.0,
                     map.across.values[x], "text-anchor=\"middle\"");
     for (std::size_t y = 0; y < map.up.values.size(); ++y)
-        svg += text(kLeft - 8.0, top(map, y) + 0.5 * kFieldHeight + 4.0, map.up.values[y],
+        svg += text(kMapLeft - 8.0, top(map, y) + 0.5 * kFieldHeight + 4.0, map.up.values[y],
                     "text-anchor=\"end\"");
-    svg += text(0.5 * (kLeft + width - kRight), height - 12.0, map.across.axis.label,
+    svg += text(0.5 * (kMapLeft + width - kMapRight), height - 12.0, map.across.axis.label,
                 "text-anchor=\"middle\"");
-    const std::string middle = toFixedText(0.5 * (kTop + height - kBottom), 1);
-    return svg + text(14.0, 0.5 * (kTop + height - kBottom), map.up.axis.label,
+    const std::string middle = toFixedText(0.5 * (kMapTop + height - kMapBottom), 1);
+    return svg + text(14.0, 0.5 * (kMapTop + height - kMapBottom), map.up.axis.label,
                       "text-anchor=\"middle\" transform=\"rotate(-90 14 " + middle + ")\"");
 }
 
@@ -152,13 +152,13 @@ std::string heatMapSvg(const SweepResults& results, std::size_t metric, std::siz
     const auto filled = std::count_if(map.fields.begin(), map.fields.end(),
                                       [](const Field& field) { return field.count > 0; });
     const bool isGrid = 2 * static_cast<std::size_t>(filled) > map.fields.size();
-    if (columns > kMostValues || rows > kMostValues || !isGrid) return "";
-    const double width = map.left(columns) + kRight;
-    const double height = kTop + kFieldHeight * static_cast<double>(rows) + kBottom;
+    if (columns > kMostFields || rows > kMostFields || !isGrid) return "";
+    const double width = map.left(columns) + kMapRight;
+    const double height = kMapTop + kFieldHeight * static_cast<double>(rows) + kMapBottom;
     const std::string size = toFixedText(width, 0) + " " + toFixedText(height, 0);
     std::string svg = "<svg viewBox=\"0 0 " + size + "\" width=\"" + toFixedText(width, 0) +
                       "\" role=\"img\">\n" +
-                      text(kLeft, 18.0, results.metrics[metric], "font-weight=\"bold\"");
+                      text(kMapLeft, 18.0, results.metrics[metric], "font-weight=\"bold\"");
     for (std::size_t y = 0; y < rows; ++y)
         for (std::size_t x = 0; x < columns; ++x) svg += fieldSvg(map, x, y);
     return svg + labelsSvg(map, width, height) + "</svg>\n";

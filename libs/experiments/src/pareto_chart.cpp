@@ -13,10 +13,10 @@ namespace
 {
 constexpr double kWidth = 640.0;
 constexpr double kHeight = 380.0;
-constexpr double kLeft = 64.0;
-constexpr double kRight = 24.0;
-constexpr double kTop = 20.0;
-constexpr double kBottom = 48.0;
+constexpr double kPlotLeft = 64.0;
+constexpr double kPlotRight = 24.0;
+constexpr double kPlotTop = 20.0;
+constexpr double kPlotBottom = 48.0;
 constexpr int kMarks = 5;
 
 /// From numbers to pixels, with a margin around the numbers and marks at round ones.
@@ -105,8 +105,8 @@ public:
         : results_(results),
           all_(all),
           front_(paretoFront(results)),
-          x_(times, kLeft, kWidth - kRight),
-          y_(scores, kHeight - kBottom, kTop)
+          x_(times, kPlotLeft, kWidth - kPlotRight),
+          y_(scores, kHeight - kPlotBottom, kPlotTop)
     {
     }
 

@@ -19,7 +19,7 @@ std::string shortText(double value, int digits)
 }
 
 // Sums grow in the rows' order, so that a mean has the same bits every time.
-struct Mean
+struct MeanIfKnown
 {
     double sum = 0.0;
     std::size_t count = 0;
@@ -64,11 +64,11 @@ template <class Value>
 std::vector<std::optional<double>> meansOf(const SweepResults& results, const Value& value)
 {
     const std::vector<bool> tell = recordingsThatTell(results, value);
-    std::vector<Mean> means(results.settings.size());
+    std::vector<MeanIfKnown> means(results.settings.size());
     for (const SweepRow& row : results.rows)
         if (tell[row.recording]) means[row.setting].add(value(row));
     std::vector<std::optional<double>> values;
-    for (const Mean& mean : means) values.push_back(mean.value());
+    for (const MeanIfKnown& mean : means) values.push_back(mean.value());
     return values;
 }
 }  // namespace

@@ -11,7 +11,7 @@ namespace vdamf
 {
 namespace
 {
-using Tracks = std::vector<std::vector<JudgedFrame>>;
+using JudgedTracks = std::vector<std::vector<JudgedFrame>>;
 
 /// Slopes must not turn: a higher score never speaks against a vehicle.
 FrameCalibration withoutTurn(FrameCalibration c)
@@ -36,7 +36,7 @@ double priorOf(const std::vector<ScoredSample>& samples)
 }
 
 /// Evidence with slope 1 and offset 0 at the frames that count, and what they are.
-LogisticData evidenceOf(const Tracks& tracks, TrackCalibration trial, double prior)
+LogisticData evidenceOf(const JudgedTracks& tracks, TrackCalibration trial, double prior)
 {
     trial.slope = 1.0;
     trial.offset = 0.0;
@@ -92,7 +92,7 @@ std::vector<double> courseOf(const std::vector<JudgedFrame>& track,
     return course;
 }
 
-TrackCalibration calibrateTracks(const Tracks& tracks, double prior)
+TrackCalibration calibrateTracks(const JudgedTracks& tracks, double prior)
 {
     TrackCalibration best;
     double least = std::numeric_limits<double>::infinity();

@@ -15,7 +15,7 @@ namespace
 constexpr double kBias = 1.0;
 
 /// The samples as liblinear wants them: rows of nodes, indices from 1, ended by -1.
-struct Problem
+struct LinearProblem
 {
     std::vector<feature_node> nodes;
     std::vector<feature_node*> rows;
@@ -23,10 +23,10 @@ struct Problem
     problem view{};
 };
 
-std::unique_ptr<Problem> problemOf(const std::vector<const ObjectSample*>& samples,
-                                   std::size_t featureCount)
+std::unique_ptr<LinearProblem> problemOf(const std::vector<const ObjectSample*>& samples,
+                                         std::size_t featureCount)
 {
-    auto p = std::make_unique<Problem>();
+    auto p = std::make_unique<LinearProblem>();
     const int biasIndex = static_cast<int>(featureCount) + 1;
     std::vector<std::size_t> begins;
     const ObjectSample* last = nullptr;
@@ -64,7 +64,7 @@ double LinearClassifier::score(const std::vector<SparseFeature>& features) const
 LinearClassifier trainLinear(const std::vector<const ObjectSample*>& samples,
                              std::size_t featureCount, double cost)
 {
-    const std::unique_ptr<Problem> p = problemOf(samples, featureCount);
+    const std::unique_ptr<LinearProblem> p = problemOf(samples, featureCount);
     double vehicles = 0.0;
     for (const double label : p->labels) vehicles += label > 0.0 ? 1.0 : 0.0;
     const double all = static_cast<double>(samples.size());

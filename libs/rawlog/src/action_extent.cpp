@@ -7,17 +7,16 @@ namespace
 {
 // Particles of a robot's pose take 32 bytes each.
 constexpr std::size_t kLargestAction = 64 << 20;
-constexpr char kEndFlag = '\x88';
 
 /// How its end looks: a collection ends with its own flag behind that of its last action; objects
 /// of MRPT before 0.5.5 have no flags.
-struct End
+struct EndFlags
 {
     std::size_t flags = 1;
     std::size_t earliest = 0;  ///< first byte of the flags at the earliest
 };
 
-End endOf(EntryWindow& window, const ObjectHeader& header)
+EndFlags endOf(EntryWindow& window, const ObjectHeader& header)
 {
     constexpr std::size_t kCountBytes = 4;
     window.require(header.bytes + kCountBytes);
@@ -31,7 +30,7 @@ End endOf(EntryWindow& window, const ObjectHeader& header)
 
 ActionExtent actionExtent(EntryWindow& window, const ObjectHeader& header)
 {
-    const End end = endOf(window, header);
+    const EndFlags end = endOf(window, header);
     const std::string flags(end.flags, kEndFlag);
     for (std::size_t at = end.earliest; at < kLargestAction; ++at)
     {

@@ -23,7 +23,7 @@ namespace
 using mrpt::poses::CPose3D;
 using mrpt::serialization::CArchive;
 
-constexpr std::size_t kLargestAllocation = 1 << 20;
+constexpr std::size_t kLargestOfAction = 1 << 20;
 constexpr std::uint32_t kByOdometry = 0;
 
 void skipBytes(CArchive& in, std::size_t count)
@@ -136,7 +136,7 @@ std::optional<VehicleMovement> movementOf(std::string_view bytes)
     constexpr double kLongestStep = 1000.0;  // m
     try
     {
-        const AllocationLimit limit(kLargestAllocation);
+        const AllocationLimit limit(kLargestOfAction);
         const std::optional<Change> change = changeIn(firstAction(bytes));
         if (!change) return std::nullopt;
         VehicleMovement movement;

@@ -5,32 +5,32 @@ namespace vdamf
 {
 namespace
 {
-thread_local std::size_t largest = AllocationLimit::kNone;
-thread_local std::size_t left = AllocationLimit::kNone;  // of the sum
+thread_local std::size_t largestAllowed = AllocationLimit::kNone;
+thread_local std::size_t leftOfSum = AllocationLimit::kNone;
 }  // namespace
 
 AllocationLimit::AllocationLimit(std::size_t bytes, std::size_t sum)
-    : largestBefore_(largest), leftBefore_(left)
+    : largestBefore_(largestAllowed), leftBefore_(leftOfSum)
 {
-    largest = bytes;
-    left = sum;
+    largestAllowed = bytes;
+    leftOfSum = sum;
 }
 
 AllocationLimit::~AllocationLimit()
 {
-    largest = largestBefore_;
-    left = leftBefore_;
+    largestAllowed = largestBefore_;
+    leftOfSum = leftBefore_;
 }
 
 std::size_t AllocationLimit::current() noexcept
 {
-    return largest;
+    return largestAllowed;
 }
 
 bool AllocationLimit::take(std::size_t bytes) noexcept
 {
-    if (bytes > largest || bytes > left) return false;
-    if (left != kNone) left -= bytes;
+    if (bytes > largestAllowed || bytes > leftOfSum) return false;
+    if (leftOfSum != kNone) leftOfSum -= bytes;
     return true;
 }
 

@@ -8,8 +8,9 @@
 #include <cerrno>
 #include <cstring>
 #include <limits>
-#include <stdexcept>
 #include <system_error>
+
+#include "fail_at.h"
 
 namespace vdamf
 {
@@ -21,11 +22,6 @@ constexpr std::uintmax_t kInputBytes = 256 * 1024;
 constexpr std::uintmax_t kLeastInputBytes = 4 * 1024;
 constexpr std::size_t kHeaderBytes = 10;
 constexpr int kGzipWindowBits = 15 + 16;
-
-[[noreturn]] void fail(const fs::path& path, const std::string& what)
-{
-    throw std::runtime_error(path.string() + ": " + what);
-}
 
 /// The fixed part of a member's header (RFC 1952): magic, deflate, no reserved flag, and an extra
 /// flag and operating system that exist, so that chance hardly ever looks like one.
@@ -46,21 +42,21 @@ void GzInput::EndInflate::operator()(z_stream_s* stream) const
 GzInput::GzInput(const fs::path& path)
 {
     std::error_code error;
-    if (fs::is_directory(path, error)) fail(path, "cannot read: this is a folder; name a rawlog");
+    if (fs::is_directory(path, error)) failAt(path, "cannot read: this is a folder; name a rawlog");
     file_.reset(std::fopen(path.c_str(), "rb"));
-    if (!file_) fail(path, "cannot read: " + std::system_category().message(errno));
+    if (!file_) failAt(path, "cannot read: " + std::system_category().message(errno));
     const std::uintmax_t size = fs::file_size(path, error);
     fileSize_ = error ? 0 : size;
     // Small files are read faster into little memory.
     input_.resize(fileSize_ == 0 ? kInputBytes
                                  : std::clamp(fileSize_ + 1, kLeastInputBytes, kInputBytes));
     const bool gz = isGz();
-    if (!readError_.empty()) fail(path, "cannot read: " + readError_);
+    if (!readError_.empty()) failAt(path, "cannot read: " + readError_);
     if (!gz) return;
     inflater_.reset(new z_stream_s{});
     if (inflateInit2(inflater_.get(), kGzipWindowBits) != Z_OK)
     {
-        fail(path, "cannot start gz decompression");
+        failAt(path, "cannot start gz decompression");
     }
 }
 

@@ -21,8 +21,6 @@ using mrpt::obs::gnss::Message_NMEA_RMC;
 using mrpt::obs::gnss::Message_NV_OEM6_INSPVAS;
 using mrpt::topography::TGeodeticCoords;
 
-constexpr double kRadian = kPi / 180.0;
-
 Eigen::Quaterniond attitudeFrom(double yaw, double pitch, double roll)
 {
     return Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()) *
@@ -72,11 +70,11 @@ InsReading fromOdometry(const mrpt::obs::CObservationOdometry& observation)
 InsReading fromInspvas(const Message_NV_OEM6_INSPVAS& message)
 {
     const auto& fields = message.fields;
-    const double yaw = kPi / 2.0 - fields.azimuth * kRadian;
+    const double yaw = kPi / 2.0 - fields.azimuth * kDegree;
     InsReading reading;
     reading.grade = InsReading::Grade::Inspvas;
     reading.geodetic = TGeodeticCoords(fields.lat, fields.lon, fields.hgt);
-    reading.sample.attitude = attitudeFrom(yaw, -fields.pitch * kRadian, fields.roll * kRadian);
+    reading.sample.attitude = attitudeFrom(yaw, -fields.pitch * kDegree, fields.roll * kDegree);
     // Without alignment the fields are zero or the attitude is arbitrary. Programs that convert
     // other INS to this message leave the status at its default, INS_INACTIVE.
     const bool aligning =

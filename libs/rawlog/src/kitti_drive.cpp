@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "fail_at.h"
 #include "kitti_numbers.h"
 #include "vdamf/files/numbers.h"
 #include "vdamf/files/text_file.h"
@@ -16,20 +17,15 @@ namespace
 {
 namespace fs = std::filesystem;
 
-[[noreturn]] void fail(const fs::path& path, const std::string& what)
-{
-    throw std::runtime_error(path.string() + ": " + what);
-}
-
 void checkFolder(const fs::path& folder)
 {
     std::error_code ignored;
-    if (!fs::is_directory(folder, ignored)) fail(folder, "there is no such folder");
+    if (!fs::is_directory(folder, ignored)) failAt(folder, "there is no such folder");
     for (const char* part : {"velodyne_points/data", "oxts/data"})
     {
         if (fs::is_directory(folder / part, ignored)) continue;
-        fail(folder, std::string("not a KITTI raw drive: there is no folder ") + part +
-                         "; name a folder like 2011_09_26_drive_0001_sync");
+        failAt(folder, std::string("not a KITTI raw drive: there is no folder ") + part +
+                           "; name a folder like 2011_09_26_drive_0001_sync");
     }
 }
 
@@ -40,7 +36,7 @@ std::vector<KittiFile> stampedFiles(const fs::path& part, const std::string& ext
     const fs::path folder = part / "data";
     const auto times = readKittiTimestamps(timestamps);
     const std::size_t stamps = times.size();
-    if (stamps == 0) fail(timestamps, "has no times");
+    if (stamps == 0) failAt(timestamps, "has no times");
     std::size_t count = 0;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder))
     {
@@ -53,13 +49,13 @@ std::vector<KittiFile> stampedFiles(const fs::path& part, const std::string& ext
         std::snprintf(name.data(), name.size(), "%010zu", i);
         files.push_back({folder / (name.data() + extension), times[i]});
         if (fs::is_regular_file(files.back().path)) continue;
-        fail(files.back().path, "is missing: the folder has " + std::to_string(count) + " files *" +
-                                    extension + ", " + timestamps.string() + " has " +
-                                    std::to_string(stamps) + " times");
+        failAt(files.back().path, "is missing: the folder has " + std::to_string(count) +
+                                      " files *" + extension + ", " + timestamps.string() +
+                                      " has " + std::to_string(stamps) + " times");
     }
     if (count == stamps) return files;
-    fail(folder, "has " + std::to_string(count) + " files *" + extension + ", but " +
-                     timestamps.string() + " has " + std::to_string(stamps) + " times");
+    failAt(folder, "has " + std::to_string(count) + " files *" + extension + ", but " +
+                       timestamps.string() + " has " + std::to_string(stamps) + " times");
 }
 
 KittiOxts oxtsOf(const fs::path& path, mrpt::Clock::time_point time)
@@ -69,7 +65,7 @@ KittiOxts oxtsOf(const fs::path& path, mrpt::Clock::time_point time)
     const std::vector<double> v = numbersOf(readTextFile(path), path.string() + ":1", kValues);
     KittiOxts oxts{time, v[0], v[1], v[2], v[3], v[4], v[5], 0};
     if (std::abs(oxts.latitude) >= 90.0)
-        fail(path, "latitude " + toText(v[0]) + " is not on earth");
+        failAt(path, "latitude " + toText(v[0]) + " is not on earth");
     if (v[kSatellites] >= 0.0 && v[kSatellites] < 256.0)
         oxts.satellites = static_cast<int>(v[kSatellites]);
     return oxts;
@@ -83,9 +79,9 @@ fs::path calibrationFile(const fs::path& folder)
     {
         if (fs::exists(path)) return path;
     }
-    fail(beside,
-         "is missing (nor is it in the drive's folder); unpack the calibration of the day"
-         " (like 2011_09_26_calib.zip) beside the drive");
+    failAt(beside,
+           "is missing (nor is it in the drive's folder); unpack the calibration of the day"
+           " (like 2011_09_26_calib.zip) beside the drive");
 }
 }  // namespace
 
@@ -100,9 +96,9 @@ KittiDrive readKittiDrive(const fs::path& folder)
         drive.oxts.push_back(oxtsOf(sample.path, sample.time));
     if (drive.scans.size() != drive.oxts.size())
     {
-        fail(folder, "has " + std::to_string(drive.scans.size()) + " scans, but " +
-                         std::to_string(drive.oxts.size()) +
-                         " oxts samples; a synchronised drive (_sync) has as many of both");
+        failAt(folder, "has " + std::to_string(drive.scans.size()) + " scans, but " +
+                           std::to_string(drive.oxts.size()) +
+                           " oxts samples; a synchronised drive (_sync) has as many of both");
     }
     return drive;
 }

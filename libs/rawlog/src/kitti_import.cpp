@@ -36,11 +36,12 @@ std::vector<KittiTracklet> trackletsOf(const KittiDrive& drive)
     return readKittiTracklets(path, drive.scans.size());
 }
 
-class Importer
+class KittiImporter
 {
 public:
     // The outputs are opened first: better to fail at once than after the last scan.
-    explicit Importer(const KittiImport& job) : job_(job), rawlog_(job.rawlog, writerOptions(job))
+    explicit KittiImporter(const KittiImport& job)
+        : job_(job), rawlog_(job.rawlog, writerOptions(job))
     {
         if (job.truth) truth_.emplace(*job.truth, job.existing, OutputFile::Unfinished::Discard);
         drive_ = readKittiDrive(job.drive);
@@ -138,7 +139,7 @@ void checkPaths(const KittiImport& job)
 KittiImportSummary importKittiDrive(const KittiImport& job)
 {
     checkPaths(job);
-    return Importer(job).run();
+    return KittiImporter(job).run();
 }
 
 }  // namespace vdamf

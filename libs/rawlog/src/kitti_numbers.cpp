@@ -12,15 +12,15 @@ namespace vdamf
 {
 namespace
 {
-struct Row
+struct CalibrationLine
 {
     std::vector<double> values;
     std::string where;  ///< "file:line"
 };
 
 // The numbers behind `key` at the start of a line.
-Row rowOf(const std::string& bytes, const std::string& fileName, std::string_view key,
-          std::size_t count)
+CalibrationLine lineOf(const std::string& bytes, const std::string& fileName, std::string_view key,
+                       std::size_t count)
 {
     std::string_view rest = bytes;
     for (int line = 1; !rest.empty(); ++line)
@@ -60,8 +60,8 @@ std::vector<double> numbersOf(std::string_view text, const std::string& where, s
 Eigen::Isometry3d readRigidTransform(const std::filesystem::path& path)
 {
     const std::string bytes = readTextFile(path);
-    const Row rotation = rowOf(bytes, path.string(), "R:", 9);
-    const Row translation = rowOf(bytes, path.string(), "T:", 3);
+    const CalibrationLine rotation = lineOf(bytes, path.string(), "R:", 9);
+    const CalibrationLine translation = lineOf(bytes, path.string(), "T:", 3);
     const Eigen::Matrix3d r =
         Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(rotation.values.data());
     // The files give seven digits.

@@ -2,9 +2,10 @@
 #include "vdamf/rawlog/kitti_truth.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <string>
+
+#include "heading_of.h"
 
 namespace vdamf
 {
@@ -16,11 +17,6 @@ struct FramePose
     PlanePose sensor;            // where it is, and which way the vehicle heads
 };
 using PoseOfFrame = std::vector<std::optional<FramePose>>;
-
-double headingOf(const Eigen::Vector3d& forward)
-{
-    return std::atan2(forward.y(), forward.x());
-}
 
 PoseOfFrame posesOf(const KittiDrive& drive, const InsTrajectory& trajectory)
 {

@@ -22,6 +22,9 @@ struct ObjectHeader
 
 constexpr std::size_t kLongestHeader = 4 + 127 + 4;
 
+/// Behind each object, but those of MRPT before 0.5.5.
+constexpr char kEndFlag = '\x88';
+
 /// The header at the begin of the bytes, where there is one that can be: a name made of a C++
 /// name's characters and a version below 255.
 std::optional<ObjectHeader> parseObjectHeader(std::string_view bytes);

@@ -74,7 +74,7 @@ void checkFields(const TextCursor& cursor, PcdHeader& header)
         cursor.fail("claims more than 1 GB of points");
 }
 
-PcdHeader headerOf(TextCursor& cursor)
+PcdHeader pcdHeaderOf(TextCursor& cursor)
 {
     PcdHeader header;
     bool counted = false;
@@ -199,7 +199,7 @@ void readFieldByField(const std::string& data, const PcdHeader& header, CloudBui
 FileCloud parsePcd(std::string_view bytes, const std::string& name, PointTime unit)
 {
     TextCursor cursor(bytes, name);
-    const PcdHeader header = headerOf(cursor);
+    const PcdHeader header = pcdHeaderOf(cursor);
     CloudBuilder builder(header.fields, name, unit);
     if (header.data == "ascii")
         readAscii(cursor, header, builder);

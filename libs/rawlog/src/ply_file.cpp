@@ -77,7 +77,7 @@ void addProperty(const TextCursor& cursor, const std::vector<std::string_view>& 
     element.fields.push_back(std::move(field));
 }
 
-PlyHeader headerOf(TextCursor& cursor)
+PlyHeader plyHeaderOf(TextCursor& cursor)
 {
     PlyHeader header;
     std::string_view line;
@@ -152,7 +152,7 @@ void readBinary(std::string_view bytes, const PlyElement& element, bool bigEndia
 FileCloud parsePly(std::string_view bytes, const std::string& name, PointTime unit)
 {
     TextCursor cursor(bytes, name);
-    const PlyHeader header = headerOf(cursor);
+    const PlyHeader header = plyHeaderOf(cursor);
     const bool ascii = header.format == "ascii";
     const bool bigEndian = header.format == "binary_big_endian";
     if (!ascii && !bigEndian && header.format != "binary_little_endian")

@@ -20,7 +20,7 @@ namespace
 constexpr std::size_t kLargestFile = std::size_t{512} << 20;
 constexpr std::size_t kTum = 8;
 constexpr std::size_t kKitti = 12;
-constexpr double kTolerance = 1e-3;  // of what should be a rotation
+constexpr double kRotationTolerance = 1e-3;  // of what should be a rotation
 
 void forEachLine(const std::string& bytes, const std::string& name,
                  const std::function<void(std::string_view, const std::string&)>& use)
@@ -52,7 +52,7 @@ std::size_t countWords(std::string_view text)
 FilePose fromTum(const std::vector<double>& n, const std::string& where)
 {
     const Eigen::Quaterniond q(n[7], n[4], n[5], n[6]);
-    if (!(std::abs(q.norm() - 1.0) < kTolerance))
+    if (!(std::abs(q.norm() - 1.0) < kRotationTolerance))
         throw std::runtime_error(where + ": qx qy qz qw are no rotation: their norm is " +
                                  toText(q.norm()) + "; expected 1");
     FilePose pose;
@@ -68,7 +68,7 @@ FilePose fromKitti(const std::vector<double>& n, const std::string& where)
         Eigen::Map<const Eigen::Matrix<double, 3, 4, Eigen::RowMajor>>(n.data());
     const Eigen::Matrix3d r = m.leftCols<3>();
     const double error = (r * r.transpose() - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
-    if (!(error < kTolerance) || r.determinant() < 0.0)
+    if (!(error < kRotationTolerance) || r.determinant() < 0.0)
         throw std::runtime_error(where + ": columns 1 to 3 of the matrix are no rotation");
     FilePose pose;
     pose.pose.linear() = Eigen::Quaterniond(r).normalized().toRotationMatrix();

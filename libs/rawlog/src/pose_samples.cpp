@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "heading_of.h"
+
 namespace vdamf
 {
 namespace
@@ -30,11 +32,6 @@ Eigen::Vector3d slopeAt(const PoseSample& a, const PoseSample& middle, const Pos
 Eigen::Vector3d slope(const PoseSample& a, const PoseSample& b)
 {
     return (b.position - a.position) / (b.time - a.time);
-}
-
-double headingOf(const Eigen::Vector3d& direction)
-{
-    return std::atan2(direction.y(), direction.x());
 }
 
 /// Adds the gap between two samples that follow each other, where it is one.

@@ -40,12 +40,11 @@ class LoadedCamera : public Camera
 public:
     LoadedCamera(const Camera& scan, const ExternalFiles& files) : Camera(scan)
     {
-        constexpr std::size_t kLargestAllocation = std::size_t{256} << 20;
         if (m_points3D_external_stored)
             m_points3D_external_file = files.find(m_points3D_external_file).string();
         if (m_rangeImage_external_stored)
             m_rangeImage_external_file = files.find(m_rangeImage_external_file).string();
-        const AllocationLimit limit(kLargestAllocation);
+        const AllocationLimit limit(ExternalFiles::kLargestAllocation);
         load();
     }
 };

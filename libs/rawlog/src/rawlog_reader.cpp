@@ -25,7 +25,6 @@ constexpr std::size_t kLargestGap = 64 << 20;
 // Where so many bytes hold no object, none follows: a sparse file may claim to have any size.
 constexpr std::uint64_t kEndlessGap = std::uint64_t{1} << 30;
 constexpr std::size_t kProblemsKept = 20;
-constexpr char kEndFlag = '\x88';
 
 /// Once: it takes longer than reading a small rawlog.
 void registerClasses()

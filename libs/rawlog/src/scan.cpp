@@ -30,8 +30,6 @@ using mrpt::obs::CObservationPointCloud;
 using mrpt::obs::CObservationRotatingScan;
 using mrpt::obs::CObservationVelodyneScan;
 
-constexpr std::size_t kLargestExternal = std::size_t{256} << 20;  // bytes of one allocation
-
 /// The points of an observation that keeps them in a file of their own, which stays as it is.
 class ExternalCloud : public CObservationPointCloud
 {
@@ -40,13 +38,13 @@ public:
         : CObservationPointCloud(observation)
     {
         m_external_file = files.find(m_external_file).string();
-        const AllocationLimit limit(kLargestExternal);
+        const AllocationLimit limit(ExternalFiles::kLargestAllocation);
         load();
     }
 };
 
 /// MRPT does not say which range intensities have; what is above 1 is 0..255.
-void scaleToOne(std::vector<float>& intensity)
+void bytesToOne(std::vector<float>& intensity)
 {
     const auto above = [](float value) { return value > 1.0F; };
     if (std::none_of(intensity.begin(), intensity.end(), above)) return;
@@ -69,7 +67,7 @@ PointCloud pointsOf(const mrpt::maps::CPointsMap& map)
         {
             cloud.intensity.push_back(withIntensity->getPointIntensity_fast(i));
         }
-        scaleToOne(cloud.intensity);
+        bytesToOne(cloud.intensity);
     }
     return cloud;
 }
@@ -97,7 +95,7 @@ PointCloud raysOf(const CObservation2DRangeScan& line)
         if (line.hasIntensity())
             cloud.intensity.push_back(static_cast<float>(line.getScanIntensity(i)));
     }
-    scaleToOne(cloud.intensity);
+    bytesToOne(cloud.intensity);
     return cloud;
 }
 

@@ -7,7 +7,7 @@ namespace
 {
 constexpr std::uint32_t kIpv4 = 0x0800;
 
-std::uint32_t byteAt(std::string_view bytes, std::size_t i)
+std::uint32_t octetAt(std::string_view bytes, std::size_t i)
 {
     return static_cast<std::uint8_t>(bytes[i]);
 }
@@ -15,7 +15,7 @@ std::uint32_t byteAt(std::string_view bytes, std::size_t i)
 /// Big-endian.
 std::uint32_t numberAt(std::string_view bytes, std::size_t i)
 {
-    return byteAt(bytes, i) << 8U | byteAt(bytes, i + 1);
+    return octetAt(bytes, i) << 8U | octetAt(bytes, i + 1);
 }
 
 std::optional<std::string_view> behind(std::string_view frame, std::size_t header,
@@ -67,10 +67,10 @@ std::optional<UdpPayload> udpPayload(LinkLayer link, std::string_view frame)
     constexpr std::uint32_t kUdpProtocol = 17;
     constexpr std::uint32_t kFragmentBits = 0x3fff;  // more fragments, or an offset
     const auto ip = ipIn(link, frame);
-    if (!ip || ip->size() < kLeastIp || byteAt(*ip, 0) >> 4U != 4U) return std::nullopt;
-    const std::size_t header = 4 * (byteAt(*ip, 0) & 0x0fU);
+    if (!ip || ip->size() < kLeastIp || octetAt(*ip, 0) >> 4U != 4U) return std::nullopt;
+    const std::size_t header = 4 * (octetAt(*ip, 0) & 0x0fU);
     const bool isDatagram =
-        byteAt(*ip, 9) == kUdpProtocol && (numberAt(*ip, 6) & kFragmentBits) == 0;
+        octetAt(*ip, 9) == kUdpProtocol && (numberAt(*ip, 6) & kFragmentBits) == 0;
     if (header < kLeastIp || !isDatagram || ip->size() < header + kUdp) return std::nullopt;
     const std::size_t length = numberAt(*ip, header + 4);
     if (length < kUdp) return std::nullopt;

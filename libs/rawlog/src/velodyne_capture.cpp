@@ -27,11 +27,7 @@ std::uint32_t byteOf(const std::string& bytes, std::size_t i)
     return static_cast<std::uint8_t>(bytes[i]);
 }
 
-struct Close
-{
-    void operator()(pcap_t* capture) const { pcap_close(capture); }
-};
-using Handle = std::unique_ptr<pcap_t, Close>;
+using Handle = std::unique_ptr<pcap_t, decltype(&pcap_close)>;
 
 Handle open(const fs::path& path)
 {
@@ -45,7 +41,8 @@ Handle open(const fs::path& path)
                                  ": cannot open: " + std::system_category().message(errno));
     std::array<char, PCAP_ERRBUF_SIZE> why = {};
     Handle handle(
-        pcap_fopen_offline_with_tstamp_precision(file, PCAP_TSTAMP_PRECISION_NANO, why.data()));
+        pcap_fopen_offline_with_tstamp_precision(file, PCAP_TSTAMP_PRECISION_NANO, why.data()),
+        &pcap_close);
     if (handle) return handle;  // it closes the file
     std::fclose(file);
     throw std::runtime_error(path.string() +

@@ -17,25 +17,22 @@ namespace vdamf
 {
 namespace
 {
-using Scan = mrpt::obs::CObservationVelodyneScan;
-
-constexpr int kUnitsPerTurn = 36000;
 constexpr double kRadiansPerUnit = 2.0 * kPi / kUnitsPerTurn;
 
 bool isValid(const VelodynePacketView& packet, int block)
 {
     const std::uint16_t header = packet.header(block);
-    return (header == Scan::UPPER_BANK || header == Scan::LOWER_BANK) &&
+    return (header == VelodyneScan::UPPER_BANK || header == VelodyneScan::LOWER_BANK) &&
            packet.azimuth(block) < kUnitsPerTurn;
 }
 
 /// Seconds from the first packet's stamp to this one's, over the turn of the hour.
 double secondsBetween(std::uint32_t first, std::uint32_t stamp)
 {
-    constexpr std::int64_t kHour = 3600000000LL;
+    constexpr std::int64_t kMicrosecondsPerHour = 3600000000LL;
     std::int64_t difference = static_cast<std::int64_t>(stamp) - static_cast<std::int64_t>(first);
-    if (difference < -kHour / 2) difference += kHour;
-    if (difference > kHour / 2) difference -= kHour;
+    if (difference < -kMicrosecondsPerHour / 2) difference += kMicrosecondsPerHour;
+    if (difference > kMicrosecondsPerHour / 2) difference -= kMicrosecondsPerHour;
     return static_cast<double>(difference) * 1e-6;
 }
 
@@ -43,7 +40,7 @@ double secondsBetween(std::uint32_t first, std::uint32_t stamp)
 class PacketDecoder
 {
 public:
-    PacketDecoder(const Scan& scan, VelodyneModel model)
+    PacketDecoder(const VelodyneScan& scan, VelodyneModel model)
         : model_(model), layout_(velodyneLayout(model)), lasers_(velodyneLasers(scan, model))
     {
         const std::size_t returns = scan.scan_packets.size() * kBlocksPerPacket * kReturnsPerBlock;
@@ -78,7 +75,8 @@ private:
 
     bool isDual(const VelodynePacketView& packet) const
     {
-        if (model_ != VelodyneModel::HDL64E) return packet.returnMode() == Scan::RETMODE_DUAL;
+        if (model_ != VelodyneModel::HDL64E)
+            return packet.returnMode() == VelodyneScan::RETMODE_DUAL;
         // No mode byte there: upper, lower, upper, lower of one azimuth.
         return packet.azimuth(0) == packet.azimuth(2) && packet.header(0) == packet.header(2) &&
                packet.azimuth(4) == packet.azimuth(6) && packet.azimuth(0) != packet.azimuth(4);
@@ -131,7 +129,7 @@ private:
 
     void decodeBlock(const VelodynePacketView& packet, int block, double packetTime)
     {
-        const bool lower = packet.header(block) == Scan::LOWER_BANK;
+        const bool lower = packet.header(block) == VelodyneScan::LOWER_BANK;
         if (lower && model_ != VelodyneModel::HDL64E) return;
         const double azimuth = packet.azimuth(block) * kRadiansPerUnit;
         const double cosBlock = std::cos(azimuth);
@@ -180,7 +178,7 @@ double packetPeriod(const VelodyneLayout& layout)
 
 /// Time of each packet's begin relative to the first one's. Stamps that cannot be (sensors that
 /// never heard of a GPS may hold anything) are replaced by the nominal pace.
-std::vector<double> packetTimes(const Scan& scan, const VelodyneLayout& layout)
+std::vector<double> packetTimes(const VelodyneScan& scan, const VelodyneLayout& layout)
 {
     constexpr double kLongestPause = 1.0;
     const double period = packetPeriod(layout);
@@ -201,9 +199,9 @@ std::vector<double> packetTimes(const Scan& scan, const VelodyneLayout& layout)
     return times;
 }
 
-PointCloud storedCloud(const Scan& scan)
+PointCloud storedCloud(const VelodyneScan& scan)
 {
-    const Scan::TPointCloud& stored = scan.point_cloud;
+    const VelodyneScan::TPointCloud& stored = scan.point_cloud;
     if (stored.y.size() != stored.x.size() || stored.z.size() != stored.x.size())
     {
         throw std::runtime_error("the coordinates of its points differ in number");
@@ -231,7 +229,7 @@ PointCloud storedCloud(const Scan& scan)
 }
 }  // namespace
 
-PointCloud decodeVelodyne(const Scan& scan)
+PointCloud decodeVelodyne(const VelodyneScan& scan)
 {
     if (scan.scan_packets.empty()) return storedCloud(scan);
     const VelodyneModel model = velodyneModelOf(scan);
@@ -244,7 +242,7 @@ PointCloud decodeVelodyne(const Scan& scan)
     return std::move(decoder).cloud();
 }
 
-double durationOf(const Scan& scan)
+double durationOf(const VelodyneScan& scan)
 {
     constexpr double kLongest = 1.0;
     double last = 0.0;

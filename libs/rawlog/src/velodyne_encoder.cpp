@@ -16,12 +16,9 @@ namespace vdamf
 {
 namespace
 {
-using Scan = mrpt::obs::CObservationVelodyneScan;
-using Packet = Scan::TVelodyneRawPacket;
-using PacketBytes = std::array<std::uint8_t, Scan::PACKET_SIZE>;
-static_assert(sizeof(Packet) == Scan::PACKET_SIZE);
-
-constexpr double kUnitsPerTurn = 36000.0;
+using Packet = VelodyneScan::TVelodyneRawPacket;
+using PacketBytes = std::array<std::uint8_t, VelodyneScan::PACKET_SIZE>;
+static_assert(sizeof(Packet) == VelodyneScan::PACKET_SIZE);
 
 void put16(std::uint8_t* to, std::uint16_t value)
 {
@@ -95,15 +92,16 @@ public:
         for (int block = 0; block < kBlocksPerPacket; ++block)
         {
             const int firing = block / layout_.blocksPerFiring * layout_.firingsPerBlock;
-            putBlock(&bytes[static_cast<std::size_t>(block * Scan::SIZE_BLOCK)],
+            putBlock(&bytes[static_cast<std::size_t>(block * VelodyneScan::SIZE_BLOCK)],
                      first + static_cast<std::size_t>(firing), block % layout_.blocksPerFiring);
         }
         const double begin = time_ + layout_.firingPeriod * static_cast<double>(first);
         const std::uint32_t stamp = microsecondsOfHour(begin);
-        std::uint8_t* tail = &bytes[kBlocksPerPacket * Scan::SIZE_BLOCK];
+        std::uint8_t* tail = &bytes[kBlocksPerPacket * VelodyneScan::SIZE_BLOCK];
         put16(tail, static_cast<std::uint16_t>(stamp & 0xffff));
         put16(tail + 2, static_cast<std::uint16_t>(stamp >> 16));
-        tail[4] = model_ == VelodyneModel::HDL64E ? std::uint8_t{0} : Scan::RETMODE_STRONGEST;
+        tail[4] =
+            model_ == VelodyneModel::HDL64E ? std::uint8_t{0} : VelodyneScan::RETMODE_STRONGEST;
         tail[5] = modelByte(model_);
         Packet result;
         std::memcpy(&result, bytes.data(), bytes.size());
@@ -129,7 +127,7 @@ private:
 
     void putBlock(std::uint8_t* to, std::size_t firing, int bank) const
     {
-        put16(to, bank == 0 ? Scan::UPPER_BANK : Scan::LOWER_BANK);
+        put16(to, bank == 0 ? VelodyneScan::UPPER_BANK : VelodyneScan::LOWER_BANK);
         put16(to + 2, azimuthUnits(azimuthOf(firing)));
         const int lasersInBlock = kReturnsPerBlock / layout_.firingsPerBlock;
         for (int i = 0; i < kReturnsPerBlock; ++i)
@@ -138,7 +136,7 @@ private:
             if (shot >= firings_.size()) return;
             const auto laser =
                 static_cast<std::size_t>(i % lasersInBlock + kReturnsPerBlock * bank);
-            std::uint8_t* one = to + 4 + Scan::RAW_SCAN_SIZE * i;
+            std::uint8_t* one = to + 4 + VelodyneScan::RAW_SCAN_SIZE * i;
             put16(one, distanceUnits(firings_[shot].range[laser]));
             one[2] = intensityUnits(firings_[shot].intensity[laser]);
         }
@@ -166,10 +164,11 @@ mrpt::obs::VelodyneCalibration nominalCalibration(VelodyneModel model)
     return result;
 }
 
-Scan encodeVelodyne(VelodyneModel model, double time, const std::vector<VelodyneFiring>& firings)
+VelodyneScan encodeVelodyne(VelodyneModel model, double time,
+                            const std::vector<VelodyneFiring>& firings)
 {
     const PacketEncoder encoder(model, time, firings);
-    Scan scan;
+    VelodyneScan scan;
     scan.timestamp = mrpt::Clock::fromDouble(time);
     scan.originalReceivedTimestamp = scan.timestamp;
     scan.calibration = nominalCalibration(model);

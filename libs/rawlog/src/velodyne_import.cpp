@@ -15,8 +15,6 @@ namespace vdamf
 {
 namespace
 {
-using Scan = mrpt::obs::CObservationVelodyneScan;
-
 std::string addressText(std::uint32_t address)
 {
     std::string text;
@@ -59,10 +57,10 @@ struct Sensor
     std::string lastSentence;
 };
 
-class Importer
+class VelodyneImporter
 {
 public:
-    explicit Importer(const VelodyneImport& job)
+    explicit VelodyneImporter(const VelodyneImport& job)
         : job_(job),
           capture_(job.capture),
           calibration_(calibrationOf(job)),
@@ -126,7 +124,7 @@ private:
         ++summary_.gps;
     }
 
-    void write(const Sensor& sensor, Scan scan, std::uint32_t address)
+    void write(const Sensor& sensor, VelodyneScan scan, std::uint32_t address)
     {
         scan.sensorLabel = sensor.label;
         scan.sensorPose = toPose3D(job_.sensorInVehicle);
@@ -152,9 +150,9 @@ private:
     }
 
     /// What the packets say, or what is asked for where they say nothing.
-    VelodyneModel modelOf(const Scan& scan) const
+    VelodyneModel modelOf(const VelodyneScan& scan) const
     {
-        Scan known = scan;
+        VelodyneScan known = scan;
         if (!calibration_.empty()) known.calibration = calibration_;
         if (job_.model && calibration_.empty()) known.calibration = nominalCalibration(*job_.model);
         try
@@ -222,7 +220,7 @@ void checkPaths(const VelodyneImport& job)
 VelodyneImportSummary importVelodyne(const VelodyneImport& job)
 {
     checkPaths(job);
-    return Importer(job).run();
+    return VelodyneImporter(job).run();
 }
 
 }  // namespace vdamf

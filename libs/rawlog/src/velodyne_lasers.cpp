@@ -14,7 +14,6 @@ namespace vdamf
 {
 namespace
 {
-using Scan = mrpt::obs::CObservationVelodyneScan;
 using Calibration = mrpt::obs::VelodyneCalibration::PerLaserCalib;
 
 constexpr std::uint8_t kHdl32e = 0x21;
@@ -22,14 +21,14 @@ constexpr std::uint8_t kVlp16 = 0x22;
 constexpr std::uint8_t kPuckLite = 0x23;
 constexpr std::uint8_t kPuckHiRes = 0x24;
 
-bool hasLowerBlocks(const Scan& scan)
+bool hasLowerBlocks(const VelodyneScan& scan)
 {
     for (const auto& packet : scan.scan_packets)
     {
         const VelodynePacketView view(packet);
         for (int block = 0; block < kBlocksPerPacket; ++block)
         {
-            if (view.header(block) == Scan::LOWER_BANK) return true;
+            if (view.header(block) == VelodyneScan::LOWER_BANK) return true;
         }
     }
     return false;
@@ -82,7 +81,7 @@ VelodyneLaser calibrated(const Calibration& laser, double unit)
 }
 }  // namespace
 
-VelodyneModel velodyneModelOf(const Scan& scan)
+VelodyneModel velodyneModelOf(const VelodyneScan& scan)
 {
     if (scan.scan_packets.empty()) throw std::runtime_error("it has no packets");
     // The HDL-64E has a changing status byte where the others tell their model.
@@ -98,7 +97,7 @@ VelodyneModel velodyneModelOf(const Scan& scan)
     failUnknownModel(model, calibratedLasers);
 }
 
-std::vector<VelodyneLaser> velodyneLasers(const Scan& scan, VelodyneModel model)
+std::vector<VelodyneLaser> velodyneLasers(const VelodyneScan& scan, VelodyneModel model)
 {
     std::vector<VelodyneLaser> result;
     const std::vector<Calibration>& corrections = scan.calibration.laser_corrections;

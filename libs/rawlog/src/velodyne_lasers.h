@@ -21,7 +21,6 @@ struct VelodyneLaser
 
 /// One for each laser of the model in packet order: from the scan's calibration, else nominal.
 /// Throws std::runtime_error where the calibration is that of another sensor.
-std::vector<VelodyneLaser> velodyneLasers(const mrpt::obs::CObservationVelodyneScan& scan,
-                                          VelodyneModel model);
+std::vector<VelodyneLaser> velodyneLasers(const VelodyneScan& scan, VelodyneModel model);
 
 }  // namespace vdamf

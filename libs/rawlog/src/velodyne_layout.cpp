@@ -10,7 +10,6 @@ namespace vdamf
 {
 namespace
 {
-constexpr double kRadian = kPi / 180.0;
 
 // -15, 1, -13, 3, ..., -1, 15 degrees (VLP-16 user manual).
 std::vector<double> elevationsVlp16()
@@ -18,8 +17,8 @@ std::vector<double> elevationsVlp16()
     std::vector<double> result;
     for (int i = 0; i < 8; ++i)
     {
-        result.push_back((-15.0 + 2.0 * i) * kRadian);
-        result.push_back((1.0 + 2.0 * i) * kRadian);
+        result.push_back((-15.0 + 2.0 * i) * kDegree);
+        result.push_back((1.0 + 2.0 * i) * kDegree);
     }
     return result;
 }
@@ -33,7 +32,7 @@ std::vector<double> elevationsHdl32e()
         for (const double start : {-92.0, -28.0})
         {
             const double degrees = (start + 4.0 * i) / 3.0;
-            result.push_back(std::round(degrees * 100.0) / 100.0 * kRadian);
+            result.push_back(std::round(degrees * 100.0) / 100.0 * kDegree);
         }
     }
     return result;
@@ -44,8 +43,8 @@ std::vector<double> elevationsHdl32e()
 std::vector<double> elevationsHdl64e()
 {
     std::vector<double> result;
-    for (int i = 0; i < 32; ++i) result.push_back((2.0 - i / 3.0) * kRadian);
-    for (int i = 0; i < 32; ++i) result.push_back((-8.83 - i / 2.0) * kRadian);
+    for (int i = 0; i < 32; ++i) result.push_back((2.0 - i / 3.0) * kDegree);
+    for (int i = 0; i < 32; ++i) result.push_back((-8.83 - i / 2.0) * kDegree);
     return result;
 }
 }  // namespace

@@ -8,6 +8,7 @@ namespace vdamf
 {
 constexpr int kBlocksPerPacket = 12;
 constexpr int kReturnsPerBlock = 32;
+constexpr int kUnitsPerTurn = 36000;      // of an azimuth
 constexpr double kMetresPerUnit = 0.002;  // of a return's distance
 
 /// Times from the manuals. A firing is one shot of every laser; the HDL-64E's two blocks of lasers

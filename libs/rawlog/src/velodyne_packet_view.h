@@ -3,25 +3,23 @@
 // not aligned, which is undefined behaviour; here bytes are put together one by one.
 #pragma once
 
-#include <mrpt/obs/CObservationVelodyneScan.h>
-
 #include <cstdint>
+
+#include "vdamf/rawlog/velodyne_packets.h"
 
 namespace vdamf
 {
 class VelodynePacketView
 {
-    using Scan = mrpt::obs::CObservationVelodyneScan;
-
 public:
-    explicit VelodynePacketView(const Scan::TVelodyneRawPacket& packet)
+    explicit VelodynePacketView(const VelodyneScan::TVelodyneRawPacket& packet)
         : bytes_(reinterpret_cast<const std::uint8_t*>(&packet))
     {
     }
 
-    std::uint16_t header(int block) const { return at16(block * Scan::SIZE_BLOCK); }
+    std::uint16_t header(int block) const { return at16(block * VelodyneScan::SIZE_BLOCK); }
     /// Hundredths of a degree.
-    std::uint16_t azimuth(int block) const { return at16(block * Scan::SIZE_BLOCK + 2); }
+    std::uint16_t azimuth(int block) const { return at16(block * VelodyneScan::SIZE_BLOCK + 2); }
     /// Units of 2 mm; 0: no return.
     std::uint16_t distance(int block, int i) const { return at16(returnAt(block, i)); }
     std::uint8_t intensity(int block, int i) const { return bytes_[returnAt(block, i) + 2]; }
@@ -34,11 +32,11 @@ public:
     std::uint8_t model() const { return bytes_[kTail + 5]; }
 
 private:
-    static constexpr int kTail = Scan::BLOCKS_PER_PACKET * Scan::SIZE_BLOCK;
+    static constexpr int kTail = VelodyneScan::BLOCKS_PER_PACKET * VelodyneScan::SIZE_BLOCK;
 
     static int returnAt(int block, int i)
     {
-        return block * Scan::SIZE_BLOCK + 4 + Scan::RAW_SCAN_SIZE * i;
+        return block * VelodyneScan::SIZE_BLOCK + 4 + VelodyneScan::RAW_SCAN_SIZE * i;
     }
     std::uint16_t at16(int offset) const
     {

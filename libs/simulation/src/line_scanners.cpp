@@ -9,7 +9,6 @@ namespace vdamf
 {
 namespace
 {
-constexpr double kRadian = kPi / 180.0;
 
 SpinningLadar lineScanner(double fieldOfView, double resolution, double rate)
 {
@@ -28,7 +27,7 @@ SpinningLadar lineScanner(double fieldOfView, double resolution, double rate)
 /// The device interlaces two turns of its mirror at 0.5 degrees; here one turn takes all shots.
 SpinningLadar lms291()
 {
-    SpinningLadar ladar = lineScanner(kPi, 0.5 * kRadian, 75.0);
+    SpinningLadar ladar = lineScanner(kPi, 0.5 * kDegree, 75.0);
     ladar.rangeNoise = 0.010;
     ladar.halfLossStrength = 0.011;  // reflectivity 0.1 to 30 m
     ladar.minRange = 0.1;
@@ -37,7 +36,7 @@ SpinningLadar lms291()
 
 SpinningLadar lms511()
 {
-    SpinningLadar ladar = lineScanner(190.0 * kRadian, 0.5 * kRadian, 50.0);
+    SpinningLadar ladar = lineScanner(190.0 * kDegree, 0.5 * kDegree, 50.0);
     ladar.rangeNoise = 0.007;
     ladar.halfLossStrength = 0.006;  // reflectivity 0.1 to 40 m
     ladar.minRange = 0.2;

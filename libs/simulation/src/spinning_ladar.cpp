@@ -14,7 +14,6 @@ namespace vdamf
 {
 namespace
 {
-constexpr double kRadian = kPi / 180.0;
 
 std::vector<double> delays(std::size_t lasers, double step)
 {
@@ -29,8 +28,8 @@ SpinningLadar vlp16()
     SpinningLadar ladar;
     for (int i = 0; i < 8; ++i)
     {
-        ladar.elevations.push_back((-15.0 + 2.0 * i) * kRadian);
-        ladar.elevations.push_back((1.0 + 2.0 * i) * kRadian);
+        ladar.elevations.push_back((-15.0 + 2.0 * i) * kDegree);
+        ladar.elevations.push_back((1.0 + 2.0 * i) * kDegree);
     }
     ladar.laserDelays = delays(16, 2.304e-6);
     ladar.firingPeriod = 55.296e-6;
@@ -51,7 +50,7 @@ SpinningLadar hdl32e()
         for (const double start : {-92.0, -28.0})
         {
             const double degrees = (start + 4.0 * i) / 3.0;
-            ladar.elevations.push_back(std::round(degrees * 100.0) / 100.0 * kRadian);
+            ladar.elevations.push_back(std::round(degrees * 100.0) / 100.0 * kDegree);
         }
     }
     ladar.laserDelays = delays(32, 1.152e-6);
@@ -69,8 +68,8 @@ SpinningLadar hdl32e()
 SpinningLadar hdl64e()
 {
     SpinningLadar ladar;
-    for (int i = 0; i < 32; ++i) ladar.elevations.push_back((2.0 - i / 3.0) * kRadian);
-    for (int i = 0; i < 32; ++i) ladar.elevations.push_back((-8.83 - i / 2.0) * kRadian);
+    for (int i = 0; i < 32; ++i) ladar.elevations.push_back((2.0 - i / 3.0) * kDegree);
+    for (int i = 0; i < 32; ++i) ladar.elevations.push_back((-8.83 - i / 2.0) * kDegree);
     const double step = 1.5e-6;
     ladar.laserDelays = delays(32, step);
     const std::vector<double> lower = ladar.laserDelays;

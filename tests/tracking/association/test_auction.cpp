@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tracking/association/predicted_car.h"
+
 #include <algorithm>
 #include <random>
 
@@ -25,11 +27,6 @@ Hits line(const Eigen::Vector2d& a, const Eigen::Vector2d& b, int count = 20)
     return hits;
 }
 
-PredictedTarget car(double x, double y, double sigma = 0.2)
-{
-    return {{x, y, 0.0, 4.5, 1.8}, {sigma, sigma}, 0.1, 0.1};
-}
-
 using Assignment = std::vector<std::vector<std::size_t>>;
 
 TEST(AssignClusters, OneTargetTakesSeveralConsistentClusters)
@@ -37,7 +34,7 @@ TEST(AssignClusters, OneTargetTakesSeveralConsistentClusters)
     const std::vector<Hits> clusters{line({8.0, -0.9}, {9.0, -0.9}),
                                      line({11.0, -0.9}, {12.2, -0.9}),
                                      line({30.0, 0.0}, {31.0, 0.0})};
-    EXPECT_EQ(assignClusters({car(10.0, 0.0)}, clusters, {}), (Assignment{{0, 1}}));
+    EXPECT_EQ(assignClusters({predictedCar(10.0, 0.0)}, clusters, {}), (Assignment{{0, 1}}));
 }
 
 TEST(AssignClusters, RefusesAUnionBeyondTheBox)
@@ -45,13 +42,14 @@ TEST(AssignClusters, RefusesAUnionBeyondTheBox)
     // The second cluster alone would pass, but car and bush together are too long.
     const std::vector<Hits> clusters{line({7.8, -0.9}, {12.2, -0.9}, 40),
                                      line({12.9, -0.5}, {13.3, -0.5}, 6)};
-    EXPECT_EQ(assignClusters({car(10.0, 0.0, 0.4)}, clusters, {}), (Assignment{{0}}));
+    EXPECT_EQ(assignClusters({predictedCar(10.0, 0.0, 0.4)}, clusters, {}), (Assignment{{0}}));
 }
 
 TEST(AssignClusters, RefusedClusterGoesToItsSecondChoice)
 {
     // Two cars end to end; the middle cluster prefers the left one, where it does not fit.
-    const std::vector<PredictedTarget> targets{car(10.0, 0.0), car(15.6, 0.0, 0.6)};
+    const std::vector<PredictedTarget> targets{predictedCar(10.0, 0.0),
+                                               predictedCar(15.6, 0.0, 0.6)};
     const std::vector<Hits> clusters{line({7.6, 0.0}, {12.0, 0.0}, 60),
                                      line({12.7, 0.0}, {13.1, 0.0}, 10),
                                      line({14.0, 0.0}, {17.0, 0.0}, 60)};
@@ -62,17 +60,18 @@ TEST(AssignClusters, RefusedClusterGoesToItsSecondChoice)
 
 TEST(AssignClusters, PreciseTargetWinsOverVague)
 {
-    const std::vector<PredictedTarget> targets{car(10.5, 0.0, 3.0), car(10.0, 0.0, 0.1)};
+    const std::vector<PredictedTarget> targets{predictedCar(10.5, 0.0, 3.0),
+                                               predictedCar(10.0, 0.0, 0.1)};
     EXPECT_EQ(assignClusters(targets, {line({8.0, -0.8}, {12.0, -0.8})}, {}),
               (Assignment{{}, {0}}));
 }
 
 TEST(AssignClusters, NothingIsWithinReach)
 {
-    EXPECT_EQ(assignClusters({car(0.0, 0.0)}, {line({20.0, 0.0}, {21.0, 0.0})}, {}),
+    EXPECT_EQ(assignClusters({predictedCar(0.0, 0.0)}, {line({20.0, 0.0}, {21.0, 0.0})}, {}),
               (Assignment{{}}));
     EXPECT_EQ(assignClusters({}, {line({0, 0}, {1, 0})}, {}), Assignment{});
-    EXPECT_EQ(assignClusters({car(0.0, 0.0)}, {}, {}), (Assignment{{}}));
+    EXPECT_EQ(assignClusters({predictedCar(0.0, 0.0)}, {}, {}), (Assignment{{}}));
 }
 
 TEST(AssignClusters, DoesNotDependOnTheOrderOfTargets)
@@ -88,7 +87,7 @@ TEST(AssignClusters, DoesNotDependOnTheOrderOfTargets)
         {
             const double x = uniform(0, 20);
             const double y = uniform(0, 10);
-            targets.push_back(car(x, y, uniform(0.1, 0.5)));
+            targets.push_back(predictedCar(x, y, uniform(0.1, 0.5)));
             clusters.push_back(line({x - 1.0, y}, {x + uniform(0, 1.5), y}));
             clusters.push_back(line({x + uniform(-2, 2), y}, {x + 2, y + 0.2}));
         }
@@ -107,7 +106,7 @@ TEST(AssignClusters, DoesNotDependOnTheOrderOfTargets)
 // What braked behind a wall is where it may be along its way, not beside it.
 TEST(AssignClusters, VagueAlongTheWayReachesAlongTheWay)
 {
-    PredictedTarget hidden = car(10.0, 0.0);
+    PredictedTarget hidden = predictedCar(10.0, 0.0);
     hidden.positionSigma = {1.5, 0.2};
     const auto takes = [&](const Hits& hits)
     { return !assignClusters({hidden}, {hits}, {}).front().empty(); };
@@ -126,7 +125,8 @@ TEST(AssignClusters, AVehicleIsNoPartOfTheHedgeAroundIt)
     hedge.isClutter = true;
     EXPECT_EQ(assignClusters({hedge}, clusters, {}, {false}), (Assignment{{0}}));
     EXPECT_EQ(assignClusters({hedge}, clusters, {}, {true}), (Assignment{{}}));
-    EXPECT_EQ(assignClusters({hedge, car(10.0, 0.0)}, clusters, {}, {true}), (Assignment{{}, {0}}));
+    EXPECT_EQ(assignClusters({hedge, predictedCar(10.0, 0.0)}, clusters, {}, {true}),
+              (Assignment{{}, {0}}));
 }
 
 }  // namespace

@@ -5,12 +5,12 @@
 
 #include <algorithm>
 
+#include "tracking/sensor_at_origin.h"
+
 namespace vdamf
 {
 namespace
 {
-const Eigen::Vector2d kSensor(0.0, 0.0);
-
 void addLine(Cluster& to, const Eigen::Vector2f& from, const Eigen::Vector2f& end, int hits,
              float time = 0.0F)
 {

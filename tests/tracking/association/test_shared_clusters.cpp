@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tracking/association/predicted_car.h"
 #include "tracking/joined_clusters.h"
 #include "vdamf/tracking/matched_filter/hits.h"
 
@@ -34,11 +35,6 @@ std::vector<Eigen::Vector2d> rearAndSide(double x, double y, double length = 4.5
     return {{x - 0.5 * length, y + 0.9}, {x - 0.5 * length, y - 0.9}, {x + 0.5 * length, y - 0.9}};
 }
 
-PredictedTarget car(double x, double y, double sigma = 0.2)
-{
-    return {{x, y, 0.0, 4.5, 1.8}, {sigma, sigma}, 0.1, 0.1, Eigen::Vector2d::Zero()};
-}
-
 std::vector<SharedCluster> shared(const std::vector<PredictedTarget>& targets,
                                   const Cluster& cluster)
 {
@@ -48,7 +44,8 @@ std::vector<SharedCluster> shared(const std::vector<PredictedTarget>& targets,
 TEST(SharedClusters, ThatOfTwoCarsSideBySide)
 {
     const Cluster both = together(outline(rearAndSide(10.0, 0.0)), outline(rearAndSide(10.5, 2.4)));
-    const auto found = shared({car(10.1, 0.1), car(30.0, 0.0), car(10.4, 2.5)}, both);
+    const auto found =
+        shared({predictedCar(10.1, 0.1), predictedCar(30.0, 0.0), predictedCar(10.4, 2.5)}, both);
     ASSERT_EQ(found.size(), 1U);
     EXPECT_EQ(found[0].cluster, 0U);
     EXPECT_EQ(found[0].targets, (std::vector<std::size_t>{0, 2}));
@@ -57,7 +54,8 @@ TEST(SharedClusters, ThatOfTwoCarsSideBySide)
 TEST(SharedClusters, ThatOfTwoOfThreeParkedCars)
 {
     const Cluster both = together(outline(rearAndSide(14.8, 0.0)), outline(rearAndSide(19.6, 0.0)));
-    const auto found = shared({car(10.0, 0.0), car(14.8, 0.0), car(19.6, 0.0)}, both);
+    const auto found =
+        shared({predictedCar(10.0, 0.0), predictedCar(14.8, 0.0), predictedCar(19.6, 0.0)}, both);
     ASSERT_EQ(found.size(), 1U);
     EXPECT_EQ(found[0].targets, (std::vector<std::size_t>{1, 2})) << "the first one has no hits";
 }
@@ -65,32 +63,33 @@ TEST(SharedClusters, ThatOfTwoOfThreeParkedCars)
 TEST(SharedClusters, NotThatOfOneCarBesideAnother)
 {
     const Cluster one = outline(rearAndSide(10.0, 0.0));
-    EXPECT_TRUE(shared({car(10.1, 0.1), car(10.4, 2.5)}, one).empty());
+    EXPECT_TRUE(shared({predictedCar(10.1, 0.1), predictedCar(10.4, 2.5)}, one).empty());
 }
 
 TEST(SharedClusters, NotThatOfACarWithTwoTracks)
 {
     const Cluster one = outline(rearAndSide(10.0, 0.0, 8.0));
-    EXPECT_TRUE(shared({car(8.5, 0.0), car(11.5, 0.2)}, one).empty());
+    EXPECT_TRUE(shared({predictedCar(8.5, 0.0), predictedCar(11.5, 0.2)}, one).empty());
 }
 
 TEST(SharedClusters, NotThatOfATruckThatComesIntoView)
 {
     // Its predicted box is the part that was seen so far; beside the rest stands a car.
     const Cluster truck = outline(rearAndSide(12.0, 0.0, 9.0), 50);
-    EXPECT_TRUE(shared({car(9.75, 0.0), car(16.0, -2.9)}, truck).empty());
+    EXPECT_TRUE(shared({predictedCar(9.75, 0.0), predictedCar(16.0, -2.9)}, truck).empty());
 }
 
 TEST(SharedClusters, NotWhereATargetsPlaceIsVague)
 {
     const Cluster both = together(outline(rearAndSide(10.0, 0.0)), outline(rearAndSide(10.5, 2.4)));
-    EXPECT_TRUE(shared({car(10.1, 0.1), car(10.4, 2.5, 1.5)}, both).empty());
+    EXPECT_TRUE(shared({predictedCar(10.1, 0.1), predictedCar(10.4, 2.5, 1.5)}, both).empty());
 }
 
 TEST(SharedClusters, NothingToFind)
 {
     EXPECT_TRUE(sharedClusters({}, {Hits{}}, {}).empty());
-    EXPECT_TRUE(sharedClusters({car(0.0, 0.0), car(1.0, 0.0)}, {Hits{}}, {}).empty());
+    EXPECT_TRUE(
+        sharedClusters({predictedCar(0.0, 0.0), predictedCar(1.0, 0.0)}, {Hits{}}, {}).empty());
 }
 
 TEST(CutBetween, GivesEachTargetItsHits)
@@ -98,7 +97,7 @@ TEST(CutBetween, GivesEachTargetItsHits)
     const Cluster a = outline(rearAndSide(10.0, 0.0));
     const Cluster b = outline(rearAndSide(10.5, 2.4), 15);
     const std::vector<Cluster> pieces =
-        cutBetween(together(a, b), {car(10.1, 0.1), car(10.4, 2.5)}, 0.0, {});
+        cutBetween(together(a, b), {predictedCar(10.1, 0.1), predictedCar(10.4, 2.5)}, 0.0, {});
     ASSERT_EQ(pieces.size(), 2U);
     EXPECT_EQ(pieces[0].x, a.x);
     EXPECT_EQ(pieces[0].height, a.height);
@@ -109,10 +108,10 @@ TEST(CutBetween, GivesEachTargetItsHits)
 
 TEST(CutBetween, MovesTheBoxesToTheTimeOfTheCluster)
 {
-    PredictedTarget fast = car(8.0, 0.0);
+    PredictedTarget fast = predictedCar(8.0, 0.0);
     fast.velocity = {20.0, 0.0};
     const Cluster a = outline(rearAndSide(10.0, 0.0));
-    const std::vector<Cluster> pieces = cutBetween(a, {fast, car(4.4, 0.0)}, 0.1, {});
+    const std::vector<Cluster> pieces = cutBetween(a, {fast, predictedCar(4.4, 0.0)}, 0.1, {});
     ASSERT_EQ(pieces.size(), 1U);
     EXPECT_EQ(pieces[0].size(), a.size());
 }

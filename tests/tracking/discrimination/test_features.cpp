@@ -32,7 +32,7 @@ Cluster carHits()
     return c;
 }
 
-struct Scene
+struct SeenCar
 {
     Cluster cluster;
     ObjectView view;
@@ -40,10 +40,10 @@ struct Scene
 
 // The car's box at a pose, the sensor at a place of the box frame, all turned and moved together.
 // `mirrored`: seen in a mirror along the box's axis.
-Scene sceneAt(double x, double y, double heading, const Eigen::Vector2d& sensorInBox,
-              bool mirrored = false)
+SeenCar sceneAt(double x, double y, double heading, const Eigen::Vector2d& sensorInBox,
+                bool mirrored = false)
 {
-    Scene s;
+    SeenCar s;
     s.cluster = carHits();
     const double sign = mirrored ? -1.0 : 1.0;
     const Eigen::Matrix2d r = rotation(heading);
@@ -65,7 +65,7 @@ Scene sceneAt(double x, double y, double heading, const Eigen::Vector2d& sensorI
 const Eigen::Vector2d kBehindLeft(-14.0, 8.0);
 
 // With the faces in the middle of cells, so that rounding moves no hit to another one.
-std::vector<float> featuresOf(Scene& scene)
+std::vector<float> featuresOf(SeenCar& scene)
 {
     DiscriminationGrid grid;
     grid.x = {-0.25, 6.75, 14};
@@ -84,7 +84,7 @@ double largestDifference(const std::vector<float>& a, const std::vector<float>& 
 
 TEST(CanonicalFrame, HasTheClosestCornerAsOriginAndTheFacesAlongTheAxes)
 {
-    Scene scene = sceneAt(10.0, -5.0, 0.7, kBehindLeft);
+    SeenCar scene = sceneAt(10.0, -5.0, 0.7, kBehindLeft);
     scene.view.clusters = {&scene.cluster};
     const CanonicalHits hits = toCanonicalFrame(scene.view);
     ASSERT_EQ(hits.size(), 400U);
@@ -101,7 +101,7 @@ TEST(CanonicalFrame, HasTheClosestCornerAsOriginAndTheFacesAlongTheAxes)
 
 TEST(CanonicalFrame, ThinsEvenlyAcrossClusters)
 {
-    Scene scene = sceneAt(0.0, 0.0, 0.0, kBehindLeft);
+    SeenCar scene = sceneAt(0.0, 0.0, 0.0, kBehindLeft);
     const Cluster second = scene.cluster;
     scene.view.clusters = {&scene.cluster, &second};
     const CanonicalHits hits = toCanonicalFrame(scene.view, 160);
@@ -113,7 +113,7 @@ TEST(CanonicalFrame, ThinsEvenlyAcrossClusters)
 
 TEST(CanonicalFrame, DropsHitsThatAreNotFinite)
 {
-    Scene scene = sceneAt(0.0, 0.0, 0.0, kBehindLeft);
+    SeenCar scene = sceneAt(0.0, 0.0, 0.0, kBehindLeft);
     scene.cluster.x[3] = std::numeric_limits<float>::quiet_NaN();
     scene.cluster.height[4] = std::numeric_limits<float>::infinity();
     scene.view.clusters = {&scene.cluster};
@@ -122,11 +122,11 @@ TEST(CanonicalFrame, DropsHitsThatAreNotFinite)
 
 TEST(Features, DoNotDependOnPoseMirrorOrWhichEndIsTheFront)
 {
-    Scene here = sceneAt(0.0, 0.0, 0.0, kBehindLeft);
+    SeenCar here = sceneAt(0.0, 0.0, 0.0, kBehindLeft);
     const std::vector<float> expected = featuresOf(here);
-    Scene there = sceneAt(35.0, -20.0, 2.1, kBehindLeft);
-    Scene mirrored = sceneAt(35.0, -20.0, -1.1, kBehindLeft, true);
-    Scene turned = sceneAt(3.0, 4.0, 0.4, kBehindLeft);
+    SeenCar there = sceneAt(35.0, -20.0, 2.1, kBehindLeft);
+    SeenCar mirrored = sceneAt(35.0, -20.0, -1.1, kBehindLeft, true);
+    SeenCar turned = sceneAt(3.0, 4.0, 0.4, kBehindLeft);
     turned.view.box.heading += kPi;
     // Hits on the border of two cells may change theirs by rounding.
     EXPECT_LT(largestDifference(featuresOf(there), expected), 0.04);
@@ -136,7 +136,7 @@ TEST(Features, DoNotDependOnPoseMirrorOrWhichEndIsTheFront)
 
 TEST(Features, OfCellsAreTheRootOfTheSharesOfTheHits)
 {
-    Scene scene = sceneAt(1.0, 2.0, 0.3, kBehindLeft);
+    SeenCar scene = sceneAt(1.0, 2.0, 0.3, kBehindLeft);
     const std::vector<float> features = featuresOf(scene);
     const FeatureBlock cells = featureBlocks(DiscriminationGrid{}).front();
     double sum = 0.0;
@@ -146,7 +146,7 @@ TEST(Features, OfCellsAreTheRootOfTheSharesOfTheHits)
 
 TEST(Features, OfPairsOfDescriptorsShareTheSameBetweenTheirKnots)
 {
-    Scene scene = sceneAt(1.0, 2.0, 0.3, kBehindLeft);
+    SeenCar scene = sceneAt(1.0, 2.0, 0.3, kBehindLeft);
     const std::vector<float> features = featuresOf(scene);
     const std::vector<FeatureBlock> blocks = featureBlocks(DiscriminationGrid{});
     std::size_t next = 0;
@@ -170,7 +170,7 @@ TEST(Features, OfPairsOfDescriptorsShareTheSameBetweenTheirKnots)
 
 TEST(Features, OfPlanarScansKnowNoHeights)
 {
-    Scene scene = sceneAt(1.0, 2.0, 0.3, kBehindLeft);
+    SeenCar scene = sceneAt(1.0, 2.0, 0.3, kBehindLeft);
     scene.view.planar = true;
     const std::vector<float> features = featuresOf(scene);
     std::fill(scene.cluster.height.begin(), scene.cluster.height.end(), 0.6F);
@@ -186,9 +186,9 @@ TEST(Features, OfPlanarScansKnowNoHeights)
 
 TEST(Features, TellHowHighMostHitsLieApartFromTheHighestOne)
 {
-    Scene car = sceneAt(0.0, 0.0, 0.0, kBehindLeft);
+    SeenCar car = sceneAt(0.0, 0.0, 0.0, kBehindLeft);
     for (std::size_t i = 0; i < car.cluster.size(); i += 12) car.cluster.height[i] = 1.44F;
-    Scene hedge = car;
+    SeenCar hedge = car;
     for (std::size_t i = 0; i < hedge.cluster.size(); ++i)
         if (i % 12 != 0) hedge.cluster.height[i] *= 0.4F;
     const std::vector<float> a = featuresOf(car);
@@ -213,8 +213,8 @@ TEST(Features, TellHowHighMostHitsLieApartFromTheHighestOne)
 
 TEST(Features, OfFewerHitsOfTheSameSurfaceAreAlike)
 {
-    Scene dense = sceneAt(0.0, 0.0, 0.0, kBehindLeft);
-    Scene sparse = dense;
+    SeenCar dense = sceneAt(0.0, 0.0, 0.0, kBehindLeft);
+    SeenCar sparse = dense;
     const auto keepThird = [](std::vector<float>& v)
     {
         // As many of the side and of the end as there were.
@@ -259,7 +259,7 @@ TEST(Features, StayWithinZeroAndOneForOddViews)
 
 TEST(ObjectScore, IsThatOfTheFeatures)
 {
-    Scene scene = sceneAt(10.0, 5.0, 0.4, kBehindLeft);
+    SeenCar scene = sceneAt(10.0, 5.0, 0.4, kBehindLeft);
     scene.view.clusters = {&scene.cluster};
     const DiscriminatorModel& model = defaultDiscriminatorModel();
     for (const bool planar : {false, true})

@@ -10,27 +10,27 @@ namespace vdamf
 {
 namespace
 {
-const VisibilityOptions kOptions;
+const VisibilityOptions kVisibility;
 
 TEST(AssumedSize, VansAreLongerAndLessCertainThanCars)
 {
-    const AssumedSize car = carLength(1.5, std::nullopt, kOptions);
-    const AssumedSize van = carLength(2.1, std::nullopt, kOptions);
-    EXPECT_DOUBLE_EQ(car.metres, kOptions.carLength);
+    const AssumedSize car = carLength(1.5, std::nullopt, kVisibility);
+    const AssumedSize van = carLength(2.1, std::nullopt, kVisibility);
+    EXPECT_DOUBLE_EQ(car.metres, kVisibility.carLength);
     EXPECT_NEAR(van.metres, 5.0, 0.15);
     EXPECT_GT(van.sigma, 1.2 * car.sigma);
     // A high car is none yet.
-    EXPECT_NEAR(carLength(1.7, 1.85, kOptions).metres, carLength(1.45, 1.85, kOptions).metres,
+    EXPECT_NEAR(carLength(1.7, 1.85, kVisibility).metres, carLength(1.45, 1.85, kVisibility).metres,
                 1e-9);
 }
 
 TEST(AssumedSize, WideCarsAreLongerThanNarrowOnes)
 {
-    const double narrow = carLength(1.5, 1.7, kOptions).metres;
-    const double wide = carLength(1.5, 2.0, kOptions).metres;
+    const double narrow = carLength(1.5, 1.7, kVisibility).metres;
+    const double wide = carLength(1.5, 2.0, kVisibility).metres;
     EXPECT_NEAR(wide - narrow, 0.27, 0.05);
     // What is seen of an end may be a part of it.
-    EXPECT_GT(carLength(1.5, 1.0, kOptions).metres, 3.8);
+    EXPECT_GT(carLength(1.5, 1.0, kVisibility).metres, 3.8);
 }
 
 VehicleState carAhead(double lengthSigma)

@@ -35,7 +35,7 @@ FaceSet leftSide()
 
 // A 12 m wall along +x, seen from its left (the sensor at +y): front at x = 6, back at x = -6.
 const OrientedBox kWall{0.0, 0.0, 0.0, 12.0, 0.7};
-const Eigen::Vector2d kSensor(0.0, 8.0);
+const Eigen::Vector2d kSensorOnLeft(0.0, 8.0);
 
 TEST(RangeProfile, KnowsTheLowestRay)
 {
@@ -84,7 +84,7 @@ TEST(RangeProfile, KeepsTheNearestHighHit)
 
 TEST(HiddenEnds, FreeEndsAreSeen)
 {
-    EXPECT_TRUE(hiddenEnds(kWall, leftSide(), kSensor, blockedBetween(0, 0, 0)).empty());
+    EXPECT_TRUE(hiddenEnds(kWall, leftSide(), kSensorOnLeft, blockedBetween(0, 0, 0)).empty());
 }
 
 TEST(HiddenEnds, ANearerObjectBesideAnEndHidesIt)
@@ -92,16 +92,16 @@ TEST(HiddenEnds, ANearerObjectBesideAnEndHidesIt)
     // The ray past the front goes to (6.6, 0.35): bearing about -49 deg.
     const double bearing = std::atan2(0.35 - 8.0, 6.6);
     const RangeProfile near = blockedBetween(bearing - 0.05, bearing + 0.05, 5.0F);
-    EXPECT_EQ(toString(hiddenEnds(kWall, leftSide(), kSensor, near)), "F");
+    EXPECT_EQ(toString(hiddenEnds(kWall, leftSide(), kSensorOnLeft, near)), "F");
     // So does what lies as far away: it may be the rest of the face.
     const RangeProfile beside = blockedBetween(bearing - 0.05, bearing + 0.05, 10.2F);
-    EXPECT_EQ(toString(hiddenEnds(kWall, leftSide(), kSensor, beside)), "F");
+    EXPECT_EQ(toString(hiddenEnds(kWall, leftSide(), kSensorOnLeft, beside)), "F");
     const RangeProfile behind = blockedBetween(bearing - 0.05, bearing + 0.05, 20.0F);
-    EXPECT_TRUE(hiddenEnds(kWall, leftSide(), kSensor, behind).empty());
+    EXPECT_TRUE(hiddenEnds(kWall, leftSide(), kSensorOnLeft, behind).empty());
     // A face with hits of its own is never hidden.
     FaceSet both = leftSide();
     both.add(Face::Front);
-    EXPECT_TRUE(hiddenEnds(kWall, both, kSensor, near).empty());
+    EXPECT_TRUE(hiddenEnds(kWall, both, kSensorOnLeft, near).empty());
 }
 
 TEST(HiddenEnds, GrazingRaysDoNotTellAnEnd)

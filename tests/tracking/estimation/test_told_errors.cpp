@@ -17,7 +17,7 @@ namespace
 constexpr double kTowards = 0.4;  // rad
 
 // Of a rear end: the fit does not say where across the row of hits may go on, nor the length.
-BoxMeasurement rearEnd()
+BoxMeasurement rearEndAhead()
 {
     BoxMeasurement m;
     m.box << 10.0, 2.0, kTowards, 4.4, 1.8;
@@ -83,7 +83,7 @@ TEST(ToldErrors, OfManyVehiclesAreAsLargeAsTheirErrors)
         constexpr int kVehicles = 300;
         for (int k = 0; k < kVehicles; ++k)
         {
-            const BoxMeasurement exact = rearEnd();
+            const BoxMeasurement exact = rearEndAhead();
             const JitterShares shares = sharesAfter(exact, share, generator);
             // What is left of the jitter, and what lasts: each in proportion to what is seen.
             const double places = std::min(1.0, 2.0 * share);
@@ -104,7 +104,7 @@ TEST(ToldErrors, OfManyVehiclesAreAsLargeAsTheirErrors)
 
 TEST(ToldErrors, OfHitsThatComeAgainIsTheWholeHeading)
 {
-    const BoxMeasurement exact = rearEnd();
+    const BoxMeasurement exact = rearEndAhead();
     std::mt19937_64 generator{3};
     const JitterShares shares = sharesAfter(exact, 0.1, generator);
     EXPECT_LT(toldAfter(exact, shares, 0.0)(2, 2), 0.1 * exact.covariance(2, 2));
@@ -124,7 +124,7 @@ TEST(ToldErrors, OfHitsThatComeAgainIsTheWholeHeading)
 
 TEST(ToldErrors, DoNotTouchWhatIsHidden)
 {
-    const BoxMeasurement exact = rearEnd();
+    const BoxMeasurement exact = rearEndAhead();
     std::mt19937_64 generator{5};
     const ToldErrors errors = toldErrors(exact, sharesAfter(exact, 0.1, generator), 0.0);
     VehicleState s = standing(exact, 0.6);
@@ -141,7 +141,7 @@ TEST(ToldErrors, DoNotTouchWhatIsHidden)
 
 TEST(ToldErrors, OfANewTrackAreItsStates)
 {
-    const VehicleState s = standing(rearEnd(), 0.5);
+    const VehicleState s = standing(rearEndAhead(), 0.5);
     const Eigen::Matrix4d told = toldCovariance(s, ToldErrors{}, VisibilityOptions{});
     const Eigen::Matrix4d more = told - s.covariance.topLeftCorner<4, 4>();
     EXPECT_GE(smallestEigenvalue(more), -1e-12);

@@ -12,7 +12,7 @@ namespace vdamf
 {
 namespace
 {
-const MotionOptions kOptions;
+const MotionOptions kMotion;
 constexpr double kCarLength = 4.5;
 
 StateVector state(double heading, double speed, double curvature, double axis)
@@ -56,7 +56,7 @@ TEST(VariableAxisModel, TransitionEqualsRungeKutta)
             const StateVector d = rate(x + h * c);
             x += h / 6.0 * (a + 2.0 * b + 2.0 * c + d);
         }
-        const StateVector y = predictState(start, dt, kOptions);
+        const StateVector y = predictState(start, dt, kMotion);
         EXPECT_NEAR(y(kX), x(kX), 1e-11) << start.transpose();
         EXPECT_NEAR(y(kY), x(kY), 1e-11) << start.transpose();
         EXPECT_NEAR(wrapAngle(y(kHeading) - x(kHeading)), 0.0, 1e-11) << start.transpose();
@@ -68,8 +68,8 @@ TEST(VariableAxisModel, TransitionEqualsRungeKutta)
 TEST(VariableAxisModel, AxisOffsetReturnsToItsPrior)
 {
     StateVector x = state(0.0, 0.0, 0.0, 2.0);
-    x = predictState(x, kOptions.axisTime, kOptions);
-    const double prior = kOptions.axisFraction * kCarLength;
+    x = predictState(x, kMotion.axisTime, kMotion);
+    const double prior = kMotion.axisFraction * kCarLength;
     EXPECT_NEAR(x(kAxis), prior + (2.0 - prior) * std::exp(-1.0), 1e-12);
 }
 
@@ -77,13 +77,13 @@ TEST(VariableAxisModel, JacobianEqualsDifferences)
 {
     for (const StateVector& x : kStates)
     {
-        const StateMatrix f = transitionJacobian(x, 0.1, kOptions);
+        const StateMatrix f = transitionJacobian(x, 0.1, kMotion);
         for (int j = 0; j < 7; ++j)
         {
             const double h = 1e-5;
             const StateVector e = StateVector::Unit(j) * h;
             StateVector difference =
-                predictState(x + e, 0.1, kOptions) - predictState(x - e, 0.1, kOptions);
+                predictState(x + e, 0.1, kMotion) - predictState(x - e, 0.1, kMotion);
             difference(kHeading) = wrapAngle(difference(kHeading));
             EXPECT_LT((f.col(j) - difference / (2.0 * h)).norm(), 1e-7)
                 << "column " << j << " at " << x.transpose();
@@ -93,10 +93,10 @@ TEST(VariableAxisModel, JacobianEqualsDifferences)
 
 TEST(VariableAxisModel, ReverseUndoesForward)
 {
-    StateVector x = state(0.4, 7.0, 0.12, kOptions.axisFraction * kCarLength);
-    StateVector y = predictState(x, 0.3, kOptions);
+    StateVector x = state(0.4, 7.0, 0.12, kMotion.axisFraction * kCarLength);
+    StateVector y = predictState(x, 0.3, kMotion);
     y(kSpeed) = -y(kSpeed);
-    y = predictState(y, 0.3, kOptions);
+    y = predictState(y, 0.3, kMotion);
     EXPECT_LT((y - x).head<3>().norm(), 1e-12);
 }
 
@@ -107,10 +107,10 @@ TEST(VariableAxisModel, ProcessNoiseEqualsMonteCarloOfItsInputs)
     const double dt = 0.1;
     std::mt19937_64 generator(5);
     std::normal_distribution<double> gauss;
-    const double rateSigma = std::min(kOptions.maxCurvatureRate, kOptions.lateralJerk / 64.0);
+    const double rateSigma = std::min(kMotion.maxCurvatureRate, kMotion.lateralJerk / 64.0);
     const int samples = 20000;
     StateMatrix sum = StateMatrix::Zero();
-    const StateVector mean = predictState(x, dt, kOptions);
+    const StateVector mean = predictState(x, dt, kMotion);
     for (int k = 0; k < samples; ++k)
     {
         StateVector y = x;
@@ -118,7 +118,7 @@ TEST(VariableAxisModel, ProcessNoiseEqualsMonteCarloOfItsInputs)
         const double white = std::sqrt(0.1 * steps / dt);
         for (int i = 0; i < steps; ++i)
         {
-            const double a = white * kOptions.accelerationSigma * gauss(generator);
+            const double a = white * kMotion.accelerationSigma * gauss(generator);
             const double r = white * rateSigma * gauss(generator);
             y(kSpeed) += 0.5 * a * dt / steps;
             y(kCurvature) += 0.5 * r * dt / steps;
@@ -130,7 +130,7 @@ TEST(VariableAxisModel, ProcessNoiseEqualsMonteCarloOfItsInputs)
         const StateVector e = y - mean;
         sum += e * e.transpose();
     }
-    MotionOptions inputs = kOptions;
+    MotionOptions inputs = kMotion;
     inputs.slipSigma = inputs.headingSigma = inputs.axisSigma = inputs.sizeSigma = 0.0;
     const StateMatrix q = processNoise(x, dt, inputs);
     const StateMatrix sampled = sum / samples;
@@ -144,7 +144,7 @@ TEST(VariableAxisModel, ProcessNoiseEqualsMonteCarloOfItsInputs)
 
 TEST(VariableAxisModel, NoiseDoesNotGrowAtStandstill)
 {
-    const StateMatrix q = processNoise(state(0.3, 0.0, 0.1, 1.3), 0.1, kOptions);
+    const StateMatrix q = processNoise(state(0.3, 0.0, 0.1, 1.3), 0.1, kMotion);
     EXPECT_EQ(q(kCurvature, kCurvature), 0.0);
     EXPECT_GT(q(kX, kX), 0.0);
     EXPECT_GE(smallestEigenvalue(q), -1e-15);
@@ -152,11 +152,11 @@ TEST(VariableAxisModel, NoiseDoesNotGrowAtStandstill)
 
 TEST(VariableAxisModel, BoundsHold)
 {
-    const StateVector x = withinBounds(state(4.0, 20.0, 0.5, 9.0), kOptions);
+    const StateVector x = withinBounds(state(4.0, 20.0, 0.5, 9.0), kMotion);
     EXPECT_NEAR(x(kHeading), 4.0 - 2.0 * kPi, 1e-12);
     EXPECT_NEAR(x(kCurvature), 6.0 / 400.0, 1e-12);
     EXPECT_NEAR(x(kAxis), 0.45 * kCarLength, 1e-12);
-    EXPECT_TRUE(problemsOf(kOptions).empty());
+    EXPECT_TRUE(problemsOf(kMotion).empty());
 }
 
 }  // namespace

@@ -4,11 +4,35 @@
 
 #include <random>
 
+#include "tracking/sensor_at_origin.h"
 #include "vdamf/tracking/matched_filter/hits.h"
 #include "vdamf/tracking/types/geometry.h"
 
 namespace vdamf
 {
+// A car left ahead of the sensor that shows its back and its left side.
+inline const OrientedBox kCar{15.0, 5.0, 0.9, 4.5, 1.8};
+
+/// The corner between its back and its left side.
+inline Eigen::Vector2d nearCorner(const OrientedBox& box)
+{
+    return corners(box)[1];
+}
+
+/// A box near it, where a search for it may start.
+inline OrientedBox disturbed(const OrientedBox& box, unsigned seed)
+{
+    std::mt19937 generator(seed);
+    std::normal_distribution<double> gauss;
+    OrientedBox start = box;
+    start.x += 0.3 * gauss(generator);
+    start.y += 0.3 * gauss(generator);
+    start.heading += 8.0 * kDegree * gauss(generator);
+    start.length += 0.3 * gauss(generator);
+    start.width += 0.3 * gauss(generator);
+    return start;
+}
+
 /// `count` hits on the faces of `box` that a sensor at the origin sees, uniform in bearing, with
 /// Gaussian range noise, plus a share of hits in the interior.
 inline Hits exampleHits(const OrientedBox& box, int count, double noise, double interiorShare,

@@ -133,8 +133,6 @@ TEST(RangeNoise, IsWhatScattersOnBothSides)
     EXPECT_LT(estimatedRangeNoise(wallOrBody(0.01, 0.4), line, line), 0.025);
 }
 
-const OrientedBox kCar{15.0, 5.0, 0.9, 4.5, 1.8};
-
 TEST(Insets, MoveTheFacesSeenInwardsAndNoOthers)
 {
     const OrientedBox box{20.0, 0.0, 0.0, 4.5, 1.8};  // shows its back to the sensor

@@ -16,8 +16,6 @@ namespace vdamf
 {
 namespace
 {
-const Eigen::Vector2d kSensor = Eigen::Vector2d::Zero();
-
 FaceSet setOf(std::initializer_list<Face> faces)
 {
     FaceSet set;
@@ -25,28 +23,7 @@ FaceSet setOf(std::initializer_list<Face> faces)
     return set;
 }
 
-// A car left ahead of the sensor that shows its back and its left side.
-const OrientedBox kCar{15.0, 5.0, 0.9, 4.5, 1.8};
 const FaceSet kSeen = setOf({Face::Back, Face::Left});
-
-OrientedBox disturbed(const OrientedBox& box, unsigned seed)
-{
-    std::mt19937 generator(seed);
-    std::normal_distribution<double> gauss;
-    OrientedBox b = box;
-    b.x += 0.3 * gauss(generator);
-    b.y += 0.3 * gauss(generator);
-    b.heading += 0.14 * gauss(generator);
-    b.length += 0.3 * gauss(generator);
-    b.width += 0.2 * gauss(generator);
-    return b;
-}
-
-// The corner between the back and the left side.
-Eigen::Vector2d nearCorner(const OrientedBox& box)
-{
-    return corners(box)[1];
-}
 
 TEST(FaceLines, FindExactFacesFromATurnedAndShiftedBox)
 {

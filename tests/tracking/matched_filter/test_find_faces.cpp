@@ -19,18 +19,7 @@ namespace vdamf
 {
 namespace
 {
-const Eigen::Vector2d kSensor = Eigen::Vector2d::Zero();
-constexpr double kDegree = kPi / 180.0;
 constexpr double kStep = 3.0 * kDegree;  // of the headings that the densest corner tries
-
-// A car left ahead of the sensor that shows its back and its left side.
-const OrientedBox kCar{15.0, 5.0, 0.9, 4.5, 1.8};
-
-// The corner between the back and the left side.
-Eigen::Vector2d nearCorner(const OrientedBox& box)
-{
-    return corners(box)[1];
-}
 
 void add(Hits& hits, const Eigen::Vector2d& at)
 {

@@ -14,24 +14,9 @@ namespace vdamf
 {
 namespace
 {
-const Eigen::Vector2d kSensor = Eigen::Vector2d::Zero();
-
 OrientedBox carAt(double heading)
 {
     return {14.0, 4.0, heading, 4.5, 1.8};
-}
-
-OrientedBox disturbed(const OrientedBox& box, unsigned seed)
-{
-    std::mt19937 generator(seed);
-    std::normal_distribution<double> gauss;
-    OrientedBox start = box;
-    start.x += 0.3 * gauss(generator);
-    start.y += 0.3 * gauss(generator);
-    start.heading += 8.0 * kPi / 180.0 * gauss(generator);
-    start.length += 0.3 * gauss(generator);
-    start.width += 0.3 * gauss(generator);
-    return start;
 }
 
 double headingError(const OrientedBox& a, const OrientedBox& b)

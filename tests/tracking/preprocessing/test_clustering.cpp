@@ -15,12 +15,12 @@ namespace vdamf
 namespace
 {
 /// A frame of which every hit is above ground; the sensor is far from the origin of the points.
-struct Hits
+struct HitFrame
 {
     LadarFrame frame;
     AboveGround above;
 
-    Hits() { frame.sensor = {100.0, -50.0, 2.0}; }
+    HitFrame() { frame.sensor = {100.0, -50.0, 2.0}; }
 
     /// Place from the sensor.
     void add(double x, double y, double height = 1.0)
@@ -53,7 +53,7 @@ std::vector<std::size_t> sizes(const std::vector<Cluster>& clusters)
 
 TEST(ClusterPoints, NoHitsNoClusters)
 {
-    EXPECT_TRUE(Hits().clusters().empty());
+    EXPECT_TRUE(HitFrame().clusters().empty());
 }
 
 TEST(ClusterPoints, OneMetreKeepsObjectsApartAtAnyRangeAndPlaceInTheGrid)
@@ -61,7 +61,7 @@ TEST(ClusterPoints, OneMetreKeepsObjectsApartAtAnyRangeAndPlaceInTheGrid)
     for (const double range : {4.0, 20.0, 60.0, 79.0})
         for (double offset = 0.0; offset < 0.25; offset += 0.05)
         {
-            Hits hits;
+            HitFrame hits;
             hits.addRow(range + offset, 0.0, 20, 0.0, 1.0);
             hits.addRow(range + offset + 1.0, 0.0, 20, 0.0, 1.0);
             EXPECT_THAT(sizes(hits.clusters()), testing::ElementsAre(20, 20))
@@ -73,7 +73,7 @@ TEST(ClusterPoints, SmallGapsJoinAtAnyPlaceInTheGrid)
 {
     for (double offset = 0.0; offset < 0.25; offset += 0.05)
     {
-        Hits hits;
+        HitFrame hits;
         hits.addRow(6.0 + offset, offset, 10, 1.0, 0.0);
         hits.addRow(6.9 + offset + 0.3, offset, 10, 0.0, 1.0);
         EXPECT_THAT(sizes(hits.clusters()), testing::ElementsAre(20)) << offset;
@@ -84,7 +84,7 @@ TEST(ClusterPoints, GapGrowsWithTheRange)
 {
     for (const auto& [range, count] : {std::pair{5.0, 2U}, {50.0, 1U}})
     {
-        Hits hits;
+        HitFrame hits;
         hits.addRow(range, 0.0, 10, 0.0, 1.0);
         hits.addRow(range, 0.9 + 0.6, 10, 0.0, 1.0);
         EXPECT_EQ(hits.clusters().size(), count) << range;
@@ -93,7 +93,7 @@ TEST(ClusterPoints, GapGrowsWithTheRange)
 
 TEST(ClusterPoints, KeepsCoordinatesHeightsAndOrder)
 {
-    Hits hits;
+    HitFrame hits;
     for (int i = 0; i < 6; ++i) hits.add(10.0 - 0.1 * i, 2.0, 0.3 + 0.1 * i);
     const std::vector<Cluster> clusters = hits.clusters();
     ASSERT_EQ(clusters.size(), 1U);
@@ -105,7 +105,7 @@ TEST(ClusterPoints, KeepsCoordinatesHeightsAndOrder)
 
 TEST(ClusterPoints, TakesTheHitsAboveGroundOnly)
 {
-    Hits hits;
+    HitFrame hits;
     hits.addRow(10.0, 0.0, 20, 0.0, 1.0);
     hits.above.index.erase(hits.above.index.begin() + 10, hits.above.index.end());
     hits.above.height.resize(10);
@@ -122,7 +122,7 @@ TEST(ClusterPoints, ComeFromSouthToNorthWhateverTheOrderOfTheHits)
     for (int repetition = 0; repetition < 5; ++repetition)
     {
         std::shuffle(places.begin(), places.end(), random);
-        Hits hits;
+        HitFrame hits;
         for (const auto& [x, y] : places) hits.add(x, y);
         EXPECT_THAT(sizes(hits.clusters()), testing::ElementsAre(10, 11, 12, 13, 14));
     }
@@ -130,7 +130,7 @@ TEST(ClusterPoints, ComeFromSouthToNorthWhateverTheOrderOfTheHits)
 
 TEST(ClusterPoints, DropsSmallAndLongOnes)
 {
-    Hits hits;
+    HitFrame hits;
     hits.addRow(10.0, -20.0, 4, 1.0, 0.0);
     hits.addRow(10.0, -10.0, 5, 1.0, 0.0);
     hits.addRow(-20.0, 10.0, 320, 1.0, 0.0);
@@ -161,7 +161,7 @@ TEST(ClusterHits, KeepsHitsOfGroupsTooSmall)
 TEST(ClusterPoints, FollowsWindingObjects)
 {
     // A spiral: its end joins cells that were numbered long before.
-    Hits hits;
+    HitFrame hits;
     const int count = 1500;
     for (int i = 0; i < count; ++i)
     {
@@ -173,7 +173,7 @@ TEST(ClusterPoints, FollowsWindingObjects)
 
 TEST(ClusterPoints, HitsThatAreNotFiniteAreLeftOut)
 {
-    Hits hits;
+    HitFrame hits;
     hits.addRow(10.0, 0.0, 8, 1.0, 0.0);
     hits.add(std::numeric_limits<double>::quiet_NaN(), 0.0);
     hits.add(10.0, std::numeric_limits<double>::infinity());
@@ -183,7 +183,7 @@ TEST(ClusterPoints, HitsThatAreNotFiniteAreLeftOut)
 
 TEST(ClusterPoints, ReachesAcrossTheWholeFrame)
 {
-    Hits hits;
+    HitFrame hits;
     hits.addRow(-900.0, -900.0, 6, 1.0, 0.0);
     hits.addRow(899.0, 900.0, 6, 1.0, 0.0);
     EXPECT_THAT(sizes(hits.clusters()), testing::ElementsAre(6, 6));

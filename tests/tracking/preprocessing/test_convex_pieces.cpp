@@ -7,13 +7,12 @@
 #include <random>
 
 #include "tracking/joined_clusters.h"
+#include "tracking/sensor_at_origin.h"
 
 namespace vdamf
 {
 namespace
 {
-const Eigen::Vector2d kSensor(0.0, 0.0);
-
 // Hits along a path, every 5 cm, with the noise of a LADAR.
 Cluster along(const std::vector<Eigen::Vector2d>& path, float height = 0.7F)
 {
@@ -37,11 +36,11 @@ Cluster along(const std::vector<Eigen::Vector2d>& path, float height = 0.7F)
 }
 
 // Left side and rear of a car ahead to the right, as seen from the sensor.
-const std::vector<Eigen::Vector2d> kCar = {{10.0, -4.8}, {10.0, -3.0}, {14.5, -3.0}};
+const std::vector<Eigen::Vector2d> kCarOutline = {{10.0, -4.8}, {10.0, -3.0}, {14.5, -3.0}};
 
 TEST(ConvexPieces, AVehicleHasNoDents)
 {
-    EXPECT_TRUE(convexPieces(along(kCar), kSensor).empty());
+    EXPECT_TRUE(convexPieces(along(kCarOutline), kSensor).empty());
     EXPECT_TRUE(convexPieces(along({{10.0, -1.0}, {10.0, 1.0}}), kSensor).empty());
     EXPECT_TRUE(convexPieces(Cluster(), kSensor).empty());
 }
@@ -60,7 +59,7 @@ TEST(ConvexPieces, AWheelHouseIsNone)
 
 TEST(ConvexPieces, ACarAndTheHedgeThatItStandsBefore)
 {
-    const Cluster car = along(kCar);
+    const Cluster car = along(kCarOutline);
     const auto pieces = convexPieces(together(along({{6.0, -4.8}, {10.0, -4.8}}), car), kSensor);
     ASSERT_EQ(pieces.size(), 2U);
     // Counter-clockwise: the hedge, then the car.
@@ -73,13 +72,13 @@ TEST(ConvexPieces, ACarBetweenTwoPartsOfAWall)
 {
     const Cluster both =
         together(along({{4.0, -5.0}, {9.9, -5.0}}), along({{26.0, -5.0}, {32.0, -5.0}}));
-    EXPECT_EQ(convexPieces(together(both, along(kCar)), kSensor).size(), 3U);
+    EXPECT_EQ(convexPieces(together(both, along(kCarOutline)), kSensor).size(), 3U);
 }
 
 TEST(ConvexPieces, WhatHangsOverACarIsNoPartOfItsOutline)
 {
     const Cluster crown = along({{9.0, -2.0}, {9.0, -1.0}, {9.5, -1.0}}, 2.5F);
-    EXPECT_TRUE(convexPieces(together(along(kCar), crown), kSensor).empty());
+    EXPECT_TRUE(convexPieces(together(along(kCarOutline), crown), kSensor).empty());
 }
 
 TEST(ConvexPieces, BehindTheSensorTheyAreTheSame)

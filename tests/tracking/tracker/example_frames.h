@@ -91,4 +91,15 @@ inline TrackerOptions optionsForBoxes()
     return options;
 }
 
+/// Null: none within so many metres.
+inline const TrackReport* confirmedNear(const FrameResult& frame, const Eigen::Vector2d& position,
+                                        double within = 1.5)
+{
+    for (const TrackReport& track : frame.tracks)
+        if (track.status == TrackStatus::Confirmed &&
+            (track.box.centre() - position).norm() < within)
+            return &track;
+    return nullptr;
+}
+
 }  // namespace vdamf

@@ -37,7 +37,7 @@ RangeProfile profileWith(double to, float range)
     return profile;
 }
 
-Track carAhead(double sigmaAcross)
+Track trackAhead(double sigmaAcross)
 {
     Track track;
     track.status = TrackStatus::Confirmed;
@@ -82,7 +82,7 @@ TEST(Existence, WhereTheSensorDoesNotLookNothingIsMissed)
 TEST(Existence, TracksEndSoonWhereTheyWouldBeSeen)
 {
     const RangeProfile open = profileWith(0.0, kFar);
-    Track track = carAhead(0.1);
+    Track track = trackAhead(0.1);
     for (int k = 1; track.status != TrackStatus::Ended && k < 30; ++k)
         track = withMiss(track, {0.1 * k, {0.0, 0.0}, open, FieldOfView(groundAround())}, true, {});
     EXPECT_EQ(track.status, TrackStatus::Ended);
@@ -96,7 +96,7 @@ TEST(Existence, HiddenOnesCoastAsLongAsTheyMay)
     RangeProfile both = wall;
     std::fill(both.nearest.begin(), both.nearest.end(), 9.0F);
     LifecycleOptions options;
-    Track track = carAhead(0.1);
+    Track track = trackAhead(0.1);
     int k = 0;
     for (k = 1; track.status != TrackStatus::Ended && k < 100; ++k)
         track = withMiss(track, {0.1 * k, {0.0, 0.0}, both, FieldOfView(groundAround())}, true,
@@ -110,7 +110,7 @@ TEST(Existence, HiddenOnesEndOnceTheyMayBeALaneOff)
     const RangeProfile wall = profileWith(kPi, 9.0F);
     const auto statusWith = [&](double sigma)
     {
-        Track track = carAhead(sigma);
+        Track track = trackAhead(sigma);
         track.state.covariance(kX, kX) = sigma * sigma;
         return withMiss(track, {0.1, {0.0, 0.0}, wall, FieldOfView(groundAround())}, true, {})
             .status;
@@ -122,7 +122,7 @@ TEST(Existence, HiddenOnesEndOnceTheyMayBeALaneOff)
 TEST(Existence, WhatMayHaveStoppedBehindAWallIsHidden)
 {
     const RangeProfile half = profileWith(1.0, 9.0F);
-    Track track = carAhead(2.5);
+    Track track = trackAhead(2.5);
     track.state.mean(kY) = -4.0;  // in view, if it went on
     const OpenView view{0.0, {0.0, 0.0}, half, FieldOfView(groundAround())};
     EXPECT_EQ(shareSeenThrough(track.box(), view), 1.0);
@@ -134,7 +134,7 @@ TEST(Existence, HitsMakeATrackLastLonger)
     const RangeProfile open = profileWith(0.0, kFar);
     const auto framesAfter = [&](int hits)
     {
-        Track track = carAhead(0.1);
+        Track track = trackAhead(0.1);
         track.existence = 0.5;
         for (int k = 0; k < hits; ++k) track = withHit(track, 0.0, {});
         EXPECT_LE(track.existence, 0.99);
@@ -149,7 +149,7 @@ TEST(Existence, HitsMakeATrackLastLonger)
 TEST(Existence, NewTracksAreNotWaitedFor)
 {
     const RangeProfile wall = profileWith(kPi, 9.0F);
-    Track track = carAhead(0.1);
+    Track track = trackAhead(0.1);
     track.status = TrackStatus::Tentative;
     track.existence = 0.5;
     for (int k = 0; k < 2; ++k)
@@ -160,7 +160,7 @@ TEST(Existence, NewTracksAreNotWaitedFor)
 TEST(Existence, ClutterIsNotWaitedForEither)
 {
     const RangeProfile wall = profileWith(kPi, 9.0F);
-    Track track = carAhead(0.1);
+    Track track = trackAhead(0.1);
     for (int k = 0; k < 10 && track.status != TrackStatus::Ended; ++k)
         track =
             withMiss(track, {0.1 * k, {0.0, 0.0}, wall, FieldOfView(groundAround())}, false, {});

@@ -9,21 +9,13 @@ namespace vdamf
 {
 namespace
 {
-const TrackReport* confirmedNear(const FrameResult& frame, const Eigen::Vector2d& position)
-{
-    for (const TrackReport& track : frame.tracks)
-        if (track.status == TrackStatus::Confirmed && (track.box.centre() - position).norm() < 3.0)
-            return &track;
-    return nullptr;
-}
-
 double degreesOff(double heading, double truth, double period)
 {
     return std::abs(std::remainder(heading - truth, period)) * 180.0 / kPi;
 }
 
 // A body that drives steadily, seen from where the sensor stands.
-struct Scene
+struct DrivingBody
 {
     OrientedBox box;
     double height = 1.5;
@@ -33,7 +25,7 @@ struct Scene
 };
 
 // Largest error of the heading in degrees, modulo `period` (rad), from a frame on.
-double worstHeading(const Scene& scene, int frames, int from, double period)
+double worstHeading(const DrivingBody& scene, int frames, int from, double period)
 {
     Tracker tracker{optionsForBoxes()};
     double worst = 0.0;
@@ -48,7 +40,7 @@ double worstHeading(const Scene& scene, int frames, int from, double period)
         const FrameResult r = tracker.process(
             exampleFrame(t, {scene.sensorSpeed * t, 0.0}, bodies, 300U + unsigned(k)));
         if (k < from) continue;
-        const TrackReport* track = confirmedNear(r, box.centre());
+        const TrackReport* track = confirmedNear(r, box.centre(), 3.0);
         if (track == nullptr) return 180.0;
         worst = std::max(worst, degreesOff(track->box.heading, box.heading, period));
     }
@@ -73,7 +65,7 @@ TEST(Headings, SidesOfCarsAreNoEnds)
 TEST(Headings, ASideThatComesOutOfHidingIsNoEnd)
 {
     // A van hides its rear half at first, less and less as the sensor drives on.
-    const Scene scene{
+    const DrivingBody scene{
         {22.0, 12.0, 0.0, 4.4, 1.8}, 1.5, 0.0, 6.0, {{{9.0, 6.5, 0.0, 5.0, 2.0}, 2.5}}};
     EXPECT_LT(worstHeading(scene, 30, 18, kPi), 10.0);
 }
@@ -87,7 +79,7 @@ TEST(Headings, SlowVehiclesHaveTheirFrontAheadSoon)
 TEST(Headings, ParkedCarsCloseByKeepTheirs)
 {
     // Its side is 2.2 m beside the sensor.
-    const Scene scene{{12.0, -3.1, 0.0, 4.4, 1.8}, 1.5, 0.0, 8.0};
+    const DrivingBody scene{{12.0, -3.1, 0.0, 4.4, 1.8}, 1.5, 0.0, 8.0};
     EXPECT_LT(worstHeading(scene, 28, 5, kPi), 3.0);
 }
 

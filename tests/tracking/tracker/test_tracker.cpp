@@ -12,15 +12,7 @@ namespace vdamf
 {
 namespace
 {
-const TrackReport* confirmedNear(const FrameResult& frame, const Eigen::Vector2d& position)
-{
-    for (const TrackReport& track : frame.tracks)
-        if (track.status == TrackStatus::Confirmed && (track.box.centre() - position).norm() < 1.5)
-            return &track;
-    return nullptr;
-}
-
-ExampleBody car(double x, double y, double heading)
+ExampleBody carBody(double x, double y, double heading)
 {
     return {{x, y, heading, 4.4, 1.8}, 1.5};
 }
@@ -35,9 +27,9 @@ TEST(Tracker, FollowsAPassingCarFromAMovingPlatform)
     for (int k = 0; k < 40; ++k)
     {
         const double t = 0.1 * k;
-        const OrientedBox truth = car(30.0 - 9.0 * t, 4.0, kPi).box;
+        const OrientedBox truth = carBody(30.0 - 9.0 * t, 4.0, kPi).box;
         const FrameResult r = tracker.process(exampleFrame(
-            t, {5.0 * t, 0.0}, {{truth, 1.5}, car(20.0, -5.0, 0.0)}, 1000U + unsigned(k)));
+            t, {5.0 * t, 0.0}, {{truth, 1.5}, carBody(20.0, -5.0, 0.0)}, 1000U + unsigned(k)));
         EXPECT_EQ(r.time, t);
         if (k < 5) continue;
         const TrackReport* track = confirmedNear(r, truth.centre());
@@ -63,7 +55,7 @@ TEST(Tracker, ParkedCarStandsStillWhileThePlatformMoves)
     for (int k = 0; k < 40; ++k)
     {
         const FrameResult r = tracker.process(
-            exampleFrame(0.1 * k, {0.8 * k, 0.0}, {car(20.0, -4.0, 0.0)}, 7U + unsigned(k)));
+            exampleFrame(0.1 * k, {0.8 * k, 0.0}, {carBody(20.0, -4.0, 0.0)}, 7U + unsigned(k)));
         if (k < 10) continue;
         const TrackReport* track = confirmedNear(r, {20.0, -4.0});
         ASSERT_NE(track, nullptr) << k;
@@ -83,7 +75,7 @@ TEST(Tracker, KeepsACarThatPassesBehindAVan)
     int hidden = 0;
     for (int k = 0; k < 60; ++k)
     {
-        const OrientedBox truth = car(-18.0 + 0.6 * k, 18.0, 0.0).box;
+        const OrientedBox truth = carBody(-18.0 + 0.6 * k, 18.0, 0.0).box;
         const FrameResult r = tracker.process(
             exampleFrame(0.1 * k, {0.0, 0.0}, {van, {truth, 1.5}}, 40U + unsigned(k)));
         const TrackReport* track = confirmedNear(r, truth.centre());
@@ -109,7 +101,7 @@ TEST(Tracker, SameFramesSameResults)
     for (int k = 0; k < 8; ++k)
     {
         const LadarFrame frame = exampleFrame(
-            0.1 * k, {0.0, 0.0}, {car(12.0 + 0.5 * k, 3.0, 0.2), car(-9.0, 4.0, 1.0)}, 5U);
+            0.1 * k, {0.0, 0.0}, {carBody(12.0 + 0.5 * k, 3.0, 0.2), carBody(-9.0, 4.0, 1.0)}, 5U);
         const FrameResult ra = a.process(frame);
         const FrameResult rb = b.process(frame);
         ASSERT_EQ(ra.tracks.size(), rb.tracks.size());
@@ -130,7 +122,7 @@ TEST(Tracker, LifecycleConfirmsCoastsAndEnds)
     for (int k = 0; k < 12; ++k)
     {
         std::vector<ExampleBody> bodies;
-        if (k < 5) bodies.push_back(car(15.0, 2.0, 0.4));
+        if (k < 5) bodies.push_back(carBody(15.0, 2.0, 0.4));
         const FrameResult r = tracker.process(exampleFrame(0.1 * k, {0.0, 0.0}, bodies, 3U));
         if (!r.tracks.empty()) seen.push_back(r.tracks.front().status);
     }
@@ -150,7 +142,7 @@ TEST(Tracker, WorksFarFromTheOrigin)
     FrameResult b;
     for (int k = 0; k < 10; ++k)
     {
-        const OrientedBox box = car(14.0 + 0.6 * k, 3.0, 0.1).box;
+        const OrientedBox box = carBody(14.0 + 0.6 * k, 3.0, 0.1).box;
         OrientedBox moved = box;
         moved.x += shift.x();
         moved.y += shift.y();

@@ -39,7 +39,7 @@ Sighting sightingOf(double length, double width, double height)
     return sighting;
 }
 
-const Sighting kCar = sightingOf(4.5, 1.8, 1.45);
+const Sighting kCarSighting = sightingOf(4.5, 1.8, 1.45);
 const Sighting kTruck = sightingOf(9.0, 2.5, 3.3);
 
 TEST(TypeFilters, MeasureATrackWithTheFilterOfItsType)
@@ -58,7 +58,7 @@ TEST(TypeFilters, ForgetAFrameThatWasWrongAndOutlastOneLater)
 {
     const TypeFilters filters(withBank());
     Track track = filters.judged({}, kTruck);
-    for (int i = 0; i < 20; ++i) track = filters.judged(track, kCar);
+    for (int i = 0; i < 20; ++i) track = filters.judged(track, kCarSighting);
     ASSERT_TRUE(track.type);
     EXPECT_EQ(track.type->type, VehicleType::Car);
     track = filters.judged(track, kTruck);
@@ -78,12 +78,12 @@ TEST(TypeFilters, TakeASizeThatSomethingHidesForLittle)
 TEST(TypeFilters, AreSilentWhereOneFilterServesAll)
 {
     const TypeFilters filters{MeasureOptions()};
-    EXPECT_FALSE(filters.judged({}, kCar).type);
+    EXPECT_FALSE(filters.judged({}, kCarSighting).type);
     MeasureOptions one;
     FilterBank bank;
     bank.filters.emplace_back();
     one.bank = std::make_shared<const FilterBank>(bank);
-    EXPECT_FALSE(TypeFilters(one).judged({}, kCar).type);
+    EXPECT_FALSE(TypeFilters(one).judged({}, kCarSighting).type);
 }
 
 }  // namespace

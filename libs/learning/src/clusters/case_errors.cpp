@@ -13,7 +13,6 @@ namespace vdamf
 namespace
 {
 constexpr Face kFaces[] = {Face::Front, Face::Back, Face::Left, Face::Right};
-constexpr double kDegree = kPi / 180.0;
 
 // Outward normal in box axes, and half the size along it.
 struct FaceLine

@@ -15,7 +15,7 @@ const double kWidest = std::log(2.5);
 // Cost of the square of a logarithm: a factor of 2.5 on one parameter has to gain a thousandth.
 constexpr double kPull = 0.001;
 
-struct Problem
+struct GroupProblem
 {
     const FilterParameters& start;
     const ParameterGroup& group;
@@ -49,7 +49,7 @@ struct Problem
 
 double costOf(const std::vector<double>& x, std::vector<double>&, void* data)
 {
-    return static_cast<Problem*>(data)->evaluate(x);
+    return static_cast<GroupProblem*>(data)->evaluate(x);
 }
 }  // namespace
 
@@ -58,7 +58,7 @@ FilterParameters optimiseGroup(const FilterParameters& start, const ParameterGro
                                const std::function<double(const FilterParameters&)>& cost)
 {
     if (search.evaluations <= 0) return start;
-    Problem problem{start, group, cost, std::numeric_limits<double>::infinity(), start};
+    GroupProblem problem{start, group, cost, std::numeric_limits<double>::infinity(), start};
     FilterParameters counted = start;
     const std::size_t size = group.of(counted).size();
     std::vector<double> x(size, 0.0);

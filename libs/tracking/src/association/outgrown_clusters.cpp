@@ -12,14 +12,14 @@ namespace vdamf
 {
 namespace
 {
-constexpr double kSurePosition = 0.5;  // m; vaguer targets do not tell where to cut
+constexpr double kSureOfOutgrown = 0.5;  // m; vaguer targets do not tell where to cut
 constexpr std::size_t kLeastHits = 5;  // on a vehicle, and off it
 
 std::vector<PredictedTarget> knownAmong(const std::vector<PredictedTarget>& targets)
 {
     std::vector<PredictedTarget> known;
     for (const PredictedTarget& t : targets)
-        if (t.isCar && t.positionSigma.maxCoeff() < kSurePosition &&
+        if (t.isCar && t.positionSigma.maxCoeff() < kSureOfOutgrown &&
             std::min(t.lengthSigma, t.widthSigma) < kSureSize)
             known.push_back(t);
     return known;

@@ -11,9 +11,9 @@ namespace vdamf
 {
 namespace
 {
-constexpr double kSurePosition = 0.7;  // m; vaguer targets do not tell where to cut
-constexpr double kLeastHits = 5.0;
-constexpr double kLeastShare = 0.1;  // of a cluster's hits
+constexpr double kSureOfSharing = 0.7;  // m; vaguer targets do not tell where to cut
+constexpr double kLeastHitsOfSharer = 5.0;
+constexpr double kLeastShareOfHits = 0.1;  // of a cluster's hits
 // Squared distances in standard deviations: of hits that are on a target's surface, and of those
 // that are not. Wide gates would not do: the side of a car that drives close to another's is inside
 // both.
@@ -41,23 +41,24 @@ bool overlap(const OrientedBox& a, const OrientedBox& b)
 }
 
 // Squared distances of the hits of a cluster from a target.
-struct Fit
+struct HitsOfTarget
 {
     std::size_t target;
     double off;  // weight of the hits that are not on it
     std::vector<double> squares;
 };
 
-Fit fitOf(const Hits& hits, std::size_t target, const TargetSurface& surface, double off)
+HitsOfTarget hitsOfTarget(const Hits& hits, std::size_t target, const TargetSurface& surface,
+                          double off)
 {
-    Fit fit{target, off, std::vector<double>(hits.size())};
+    HitsOfTarget fit{target, off, std::vector<double>(hits.size())};
     for (std::size_t i = 0; i < hits.size(); ++i)
         fit.squares[i] = surface.squaredDistance(hits.x[i], hits.y[i]);
     return fit;
 }
 
 // Weight of the hits that are on the one and not on the other.
-double onlyOn(const Fit& one, const Fit& other, const Hits& hits)
+double onlyOn(const HitsOfTarget& one, const HitsOfTarget& other, const Hits& hits)
 {
     double weight = 0.0;
     for (std::size_t i = 0; i < hits.size(); ++i)
@@ -69,22 +70,23 @@ std::vector<std::size_t> targetsOn(const Hits& hits, const std::vector<std::size
                                    const std::vector<PredictedTarget>& targets,
                                    const CandidateFinder& finder)
 {
-    const double least = std::max(kLeastHits, kLeastShare * hits.totalWeight);
-    std::vector<Fit> fits;
+    const double least = std::max(kLeastHitsOfSharer, kLeastShareOfHits * hits.totalWeight);
+    std::vector<HitsOfTarget> fits;
     for (const std::size_t j : inReach)
     {
-        if (targets[j].positionSigma.maxCoeff() >= kSurePosition) continue;
+        if (targets[j].positionSigma.maxCoeff() >= kSureOfSharing) continue;
         const TargetSurface surface = finder.surfaceOf(j, hits);
         const double off = surface.weightBeyond(kOff, hits);
         // As for most clusters: nothing is left for another target.
         if (off < least) return {};
-        fits.push_back(fitOf(hits, j, surface, off));
+        fits.push_back(hitsOfTarget(hits, j, surface, off));
     }
     if (fits.size() < 2) return {};
     const auto best = std::min_element(fits.begin(), fits.end(),
-                                       [](const Fit& a, const Fit& b) { return a.off < b.off; });
+                                       [](const HitsOfTarget& a, const HitsOfTarget& b)
+                                       { return a.off < b.off; });
     std::vector<std::size_t> sharing;
-    for (const Fit& fit : fits)
+    for (const HitsOfTarget& fit : fits)
     {
         const bool shares =
             &fit == &*best ||

@@ -12,11 +12,11 @@ constexpr double kPiece = 0.9;  // m, of an end of which something hides the res
 // Hits tell widths to a decimetre or two: what is higher than any car may be narrower.
 constexpr double kTallest = 2.5;   // m
 constexpr double kLongSide = 5.5;  // m, of vans, trucks and buses
-constexpr AssumedSize kLargeWidth{2.1, 0.3};
+constexpr AssumedSize kTruckWidth{2.1, 0.3};
 
 // The end of a truck or bus alone tells little of its length. What is as wide and low is none: the
 // part of a side, or no vehicle.
-constexpr double kTruckHeight = 1.9;  // m
+constexpr double kLeastTruckHeight = 1.9;  // m
 constexpr AssumedSize kTruckLength{9.0, 2.0};
 
 // Vans are higher, longer and wider than cars, of the labelled vehicles of KITTI and Argoverse 2:
@@ -73,14 +73,14 @@ std::optional<AssumedSize> lengthBehind(double width, double height, const Visib
 {
     if (width < kNarrowestCar || width > kWidestTruck) return std::nullopt;
     if (width < widestCar(height)) return carLength(height, width, o);
-    if (height < kTruckHeight) return std::nullopt;
+    if (height < kLeastTruckHeight) return std::nullopt;
     return kTruckLength;
 }
 
 std::optional<AssumedSize> widthBehind(double length, double height, const VisibilityOptions& o)
 {
     if (length < kShortestCar) return std::nullopt;
-    return length < kLongSide ? carWidth(height, o) : kLargeWidth;
+    return length < kLongSide ? carWidth(height, o) : kTruckWidth;
 }
 
 bool isPieceOfACarsEnd(const Measurement& m, double height)
@@ -94,7 +94,7 @@ AssumedSizes assumedSizes(const Measurement& m, double height, const VisibilityO
     if (!o.assumeVehicleSize) return {};
     if (couldBeACar(m, height)) return {carLength(height, std::nullopt, o), carWidth(height, o)};
     const bool sideAlone = m.facesSeen.seesSide() && !m.facesSeen.seesEnd();
-    if (sideAlone && m.box.length > kLongSide) return {std::nullopt, kLargeWidth};
+    if (sideAlone && m.box.length > kLongSide) return {std::nullopt, kTruckWidth};
     const bool endAlone = m.facesSeen.seesEnd() && !m.facesSeen.seesSide();
     if (endAlone && m.box.width > widestCar(height))
         return {lengthBehind(m.box.width, height, o), std::nullopt};

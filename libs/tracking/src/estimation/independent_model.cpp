@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "held_inputs.h"
 #include "vdamf/tracking/estimation/motion_model.h"
 
 namespace vdamf
@@ -11,7 +12,6 @@ namespace
 {
 constexpr int kPlace[3] = {kX, kY, kHeading};
 constexpr int kRate[3] = {kVelocityX, kVelocityY, kYawRate};
-constexpr double kHold = 0.1;         // s, for which accelerations are taken to hold
 constexpr double kTurningPace = 2.0;  // m/s, from which on it turns as it likes
 constexpr double kFastest = 100.0;    // m/s
 constexpr double kFastestTurn = 6.0;  // rad/s

@@ -10,7 +10,7 @@ namespace vdamf
 {
 namespace
 {
-constexpr double kMemory = 1.5;  // s
+constexpr double kJitterMemory = 1.5;  // s
 // Of the variance: errors that last for some frames look like no error at all.
 constexpr double kLeastOfPlace = 0.1;
 constexpr double kLeastOfHeading = 0.3;
@@ -61,7 +61,7 @@ JitterShares JitterShares::after(const VehicleState& predicted, const BoxMeasure
         const double expected = whole.covariance(k, k) / variance - 1.0;
         const double share = std::min(seen, kSurprise) - expected;
         // A vague prediction tells little of the measurement.
-        const double weight = (1.0 - std::exp(-dt / kMemory)) / std::pow(1.0 + expected, 2);
+        const double weight = (1.0 - std::exp(-dt / kJitterMemory)) / std::pow(1.0 + expected, 2);
         next.shares_(k) = std::clamp(shares_(k) + weight * (share - shares_(k)), least, 1.0);
     }
     return next;

@@ -25,22 +25,23 @@ constexpr double kRates[MotionHypotheses::kWays][MotionHypotheses::kWays] = {
 constexpr std::array<double, MotionHypotheses::kWays> kAtStart{0.5, 0.25, 0.25};
 constexpr std::array<Steering, MotionHypotheses::kWays> kSteerings{
     Steering::VariableAxis, Steering::Turning, Steering::Steady};
-constexpr double kLeast = 0.02;         // of a probability: nothing is ruled out
-constexpr double kLeastOfWays = 5e-4;   // those come back by their rates
-constexpr double kRefuted = 0.05;       // of the standing hypothesis
-constexpr double kFree = 0.03;          // of what moves, does not follow wheels
-constexpr double kStartYawRate = 0.3;   // rad/s
-constexpr double kSurpriseSigma = 1.5;  // m/s, of the speed of a vehicle that left its gate
+constexpr double kLeastProbability = 0.02;  // of a probability: nothing is ruled out
+constexpr double kLeastOfWays = 5e-4;       // those come back by their rates
+constexpr double kRefuted = 0.05;           // of the standing hypothesis
+constexpr double kFree = 0.03;              // of what moves, does not follow wheels
+constexpr double kStartYawRate = 0.3;       // rad/s
+constexpr double kSurpriseSigma = 1.5;      // m/s, of the speed of a vehicle that left its gate
 
 // Least and greatest probability stand for none and one: a mean must not lose a share of speed.
 double share(double probability)
 {
-    return std::clamp((probability - kLeast) / (1.0 - 2.0 * kLeast), 0.0, 1.0);
+    return std::clamp((probability - kLeastProbability) / (1.0 - 2.0 * kLeastProbability), 0.0,
+                      1.0);
 }
 
 double bounded(double probability)
 {
-    return std::clamp(probability, kLeast, 1.0 - kLeast);
+    return std::clamp(probability, kLeastProbability, 1.0 - kLeastProbability);
 }
 
 using Ways = Mixture::Weights;

@@ -9,7 +9,7 @@ namespace vdamf
 namespace
 {
 constexpr double kBeyond = 0.6;      // m past an end, where the ray goes that would see more
-constexpr double kFree = 0.4;        // m by which that ray goes on where nothing is in its way
+constexpr double kFreeRange = 0.4;   // m by which that ray goes on where nothing is in its way
 constexpr double kBeamStep = 0.004;  // rad between hits, about, of spinning LADARs
 constexpr double kWidestStep = 0.7;  // m between hits of a row whose end can be told
 }  // namespace
@@ -36,7 +36,7 @@ FaceSet hiddenEnds(const OrientedBox& box, FaceSet seen, const Eigen::Vector2d& 
             const double grazing = std::abs(ray(1 - axis)) / range;  // sine
             // What it hits may hide the rest of the face, or be the rest of it.
             const double reached = profile.at(std::atan2(inWorld.y(), inWorld.x()));
-            if (reached < range + kFree || kBeamStep * range > kWidestStep * grazing)
+            if (reached < range + kFreeRange || kBeamStep * range > kWidestStep * grazing)
                 hidden.add(kFaceAt[axis][end]);
         }
     }

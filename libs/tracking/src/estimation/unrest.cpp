@@ -8,9 +8,9 @@ namespace vdamf
 {
 namespace
 {
-constexpr double kMemory = 2.0;  // s
+constexpr double kUnrestMemory = 2.0;  // s
 constexpr double kUnknown = 1.0;
-constexpr double kMost = 4.0;  // of one measurement
+constexpr double kMostSurprise = 4.0;  // of one measurement
 // Vehicles that go on in recorded traffic are foretold about so well (seven in eight of them no
 // better than 0.26), and their speeds err as much as is said of them. Where bodies and drivers are
 // steadier, the error of the speed is seen to fall with about the square of the surprise.
@@ -19,7 +19,7 @@ constexpr double kLeastCalm = 0.03;
 
 double shareOfMemory(double dt)
 {
-    return 1.0 - std::exp(-dt / kMemory);
+    return 1.0 - std::exp(-dt / kUnrestMemory);
 }
 }  // namespace
 
@@ -41,7 +41,8 @@ Unrest Unrest::later(double dt) const
 Unrest Unrest::after(double surprise) const
 {
     Unrest next;
-    next.value_ = value_ + shareOfMemory(unmeasured_) * (std::min(surprise, kMost) - kUnknown);
+    next.value_ =
+        value_ + shareOfMemory(unmeasured_) * (std::min(surprise, kMostSurprise) - kUnknown);
     return next;
 }
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "held_inputs.h"
+
 namespace vdamf
 {
 namespace
@@ -36,9 +38,6 @@ Displacement displacement(double s, double kappa, double d)
             (eta * c - z) / (kappa * kappa) - d * s * z,
             (eta * z - (1.0 - c)) / (kappa * kappa) + d * s * c};
 }
-
-// Accelerations and steering rates hold for about this long before they change, s.
-constexpr double kHold = 0.1;
 
 // How x, y and heading are moved, t seconds later, by a unit change of another row now:
 // g1 t + g2 t^2.

@@ -8,8 +8,9 @@ namespace vdamf
 {
 namespace
 {
-constexpr double kOnFace = 0.15;    // m from it
-constexpr double kBeyond = 0.5;     // m beyond the other face; nearer hits may be the noise of that
+constexpr double kOnFace = 0.15;  // m from it
+constexpr double kBeyondFace =
+    0.5;                            // m beyond the other face; nearer hits may be the noise of that
 constexpr double kRound = 0.8;      // m before it: corners are round
 constexpr double kMinBeyond = 5.0;  // hits
 constexpr double kMostBeyond = 0.1;  // share of a row's hits that clutter may put beyond
@@ -19,7 +20,7 @@ constexpr double kNear = 1.0;       // m behind the other face where it must hav
 constexpr double kThinnest = 0.35;  // ... with so much of the density of the whole row
 
 // The hits along one face, by how far they lie behind the other one.
-struct Row
+struct BesideCorner
 {
     double hits = 0.0;
     double beyond = 0.0;  // hits
@@ -31,7 +32,7 @@ struct Row
     void add(double behindOther, double weight)
     {
         hits += weight;
-        if (behindOther < -kBeyond)
+        if (behindOther < -kBeyondFace)
         {
             beyond += weight;
             return;
@@ -61,8 +62,8 @@ std::optional<Face> misplacedFace(const Hits& hits, const OrientedBox& box, Face
     const auto [c, s] = directionOf(box.heading);
     const double signX = end == Face::Front ? 1.0 : -1.0;
     const double signY = side == Face::Left ? 1.0 : -1.0;
-    Row onEnd;
-    Row onSide;
+    BesideCorner onEnd;
+    BesideCorner onSide;
     for (std::size_t i = 0; i < hits.size(); ++i)
     {
         const double dx = hits.x[i] - box.x;

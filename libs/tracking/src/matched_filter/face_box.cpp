@@ -26,19 +26,19 @@ struct FacePlace
 };
 
 // Of cells of hits on a face.
-struct Row
+struct RowOnFace
 {
     std::vector<double> along;  // outwards, m
     double hits = 0.0;
 };
 
 // Hits on a face lie at most so far behind it (round corners) and before it, m.
-constexpr double kBehind = 0.8;
-constexpr double kInFront = 0.25;
+constexpr double kRowBehind = 0.8;
+constexpr double kRowInFront = 0.25;
 // A gap that ends a row of hits: so many times the gaps before it, within these bounds, m.
 constexpr double kWideGap = 4.0;
-constexpr double kLeastGap = 0.25;
-constexpr double kLargestGap = 1.0;
+constexpr double kLeastRowGap = 0.25;
+constexpr double kLargestRowGap = 1.0;
 // The end of a row of hits, of which the filter said `fitted`: half a gap behind the last of them;
 // nothing for a row too short.
 std::optional<FacePlace> rowEnd(std::vector<double> row, double fitted, double sign, double shape,
@@ -63,7 +63,7 @@ std::optional<FacePlace> rowEnd(std::vector<double> row, double fitted, double s
     {
         const double gap = row[next] - row[next - 1];
         return row[next] < least ||
-               gap < std::clamp(kWideGap * gapBefore(next - 1), kLeastGap, kLargestGap);
+               gap < std::clamp(kWideGap * gapBefore(next - 1), kLeastRowGap, kLargestRowGap);
     };
     while (count < row.size() && goesOn(count)) ++count;
     const double gap = gapBefore(count - 1);
@@ -153,7 +153,7 @@ private:
         else if (seen_[1 - axis])
         {
             const double shape = std::max(line(0).shape, line(1).shape);
-            Row row = rowAlong(axis, sign);
+            RowOnFace row = rowAlong(axis, sign);
             const double reach = sign == nearSign_[axis] ? 0.0 : farReach(axis, row.hits);
             if (const auto end =
                     rowEnd(std::move(row.along), half_[axis], sign, shape, options_.parameters))
@@ -176,9 +176,9 @@ private:
     }
 
     // Hits on the near face that runs along `axis`, outwards by `sign`.
-    Row rowAlong(std::size_t axis, double sign) const
+    RowOnFace rowAlong(std::size_t axis, double sign) const
     {
-        Row row;
+        RowOnFace row;
         row.along.resize(hits_.size());
         inWideLanes([
             sign, face = nearAt(1 - axis), nearSign = nearSign_[1 - axis], size = hits_.size(),
@@ -195,7 +195,7 @@ private:
                 load(weight, weights + first, count);
                 const Doubles depth = nearSign * (face - side);
                 along = sign * along;
-                const auto isIn = (depth > -kInFront) & (depth < kBehind) & (along > 0.0);
+                const auto isIn = (depth > -kRowInFront) & (depth < kRowBehind) & (along > 0.0);
                 sum += isIn ? weight : Doubles{};
                 along = isIn ? along : Doubles{};
                 std::memcpy(to + first, &along, count * sizeof(double));

@@ -8,10 +8,10 @@ namespace vdamf
 {
 namespace
 {
-constexpr double kInFront = 0.3;     // m; a hit on a face lies at most this far before it ...
-constexpr double kBehind = 0.4;      // ... and this far behind
-constexpr double kLargestGap = 1.0;  // m in a row of hits
-constexpr double kTrimmed = 2.0;     // hits at the end of the row that do not count
+constexpr double kFaceInFront = 0.3;       // m; a hit on a face lies at most this far before it ...
+constexpr double kFaceBehind = 0.4;        // ... and this far behind
+constexpr double kLargestGapOnFace = 1.0;  // m in a row of hits
+constexpr double kTrimmed = 2.0;           // hits at the end of the row that do not count
 
 // A hit near a face: how far out it lies along the face, and its weight.
 struct OnFace
@@ -27,7 +27,7 @@ double rowEnd(std::vector<OnFace> row, double end)
               [](const OnFace& a, const OnFace& b) { return a.along < b.along; });
     std::size_t last = 0;
     double reached = end;
-    for (; last < row.size() && row[last].along <= reached + kLargestGap; ++last)
+    for (; last < row.size() && row[last].along <= reached + kLargestGapOnFace; ++last)
         reached = std::max(reached, row[last].along);
     double trimmed = 0.0;
     while (last > 0 && trimmed + row[last - 1].weight <= kTrimmed) trimmed += row[--last].weight;
@@ -57,7 +57,7 @@ OrientedBox reachingOverHits(const Hits& hits, const OrientedBox& box, FaceSet s
             {
                 const Eigen::Vector2d p = toBoxFrame(box, {hits.x[i], hits.y[i]});
                 const double depth = (view(across) > 0.0 ? 1.0 : -1.0) * (face - p(across));
-                if (depth < -kInFront || depth > kBehind) continue;
+                if (depth < -kFaceInFront || depth > kFaceBehind) continue;
                 const double along = sign * p(axis);
                 if (along > half[axis]) row.push_back({along, hits.weight[i]});
             }

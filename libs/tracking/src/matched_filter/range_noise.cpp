@@ -8,11 +8,11 @@ namespace vdamf
 {
 namespace
 {
-constexpr double kLeast = 0.02;  // m
-constexpr double kMost = 0.1;    // m
+constexpr double kLeastNoise = 0.02;  // m
+constexpr double kMostNoise = 0.1;    // m
 // The usual value counts as so many hits.
 constexpr double kUsual = 0.025;  // m
-constexpr double kPriorHits = 6.0;
+constexpr double kUsualHits = 6.0;
 // Scatter inside over scatter outside: 1.46 for Gaussian hits, 2.3 and more for bodies.
 constexpr double kGaussian = 1.75;
 constexpr double kBody = 2.2;
@@ -20,8 +20,8 @@ constexpr double kBody = 2.2;
 
 double estimatedRangeNoise(const NearFaces& faces, const LineState& end, const LineState& side)
 {
-    double squares = kPriorHits * kUsual * kUsual;
-    double weight = kPriorHits;
+    double squares = kUsualHits * kUsual * kUsual;
+    double weight = kUsualHits;
     double outside = 0.0;
     double inside = 0.0;
     for (std::size_t k = 0; k < faces.size(); ++k)
@@ -39,8 +39,8 @@ double estimatedRangeNoise(const NearFaces& faces, const LineState& end, const L
     }
     const double ratio = outside > 0.0 ? std::sqrt(inside / outside) : kBody;
     const double gaussian = std::clamp((kBody - ratio) / (kBody - kGaussian), 0.0, 1.0);
-    const double noise = std::clamp(std::sqrt(squares / weight), kLeast, kMost);
-    return kLeast + gaussian * (noise - kLeast);
+    const double noise = std::clamp(std::sqrt(squares / weight), kLeastNoise, kMostNoise);
+    return kLeastNoise + gaussian * (noise - kLeastNoise);
 }
 
 }  // namespace vdamf

@@ -15,11 +15,12 @@ constexpr double kHeightGap = 0.3;  // m
 constexpr double kHiddenLength = 4.0;  // m
 constexpr double kHiddenWidth = 1.0;   // m
 // Outliers of one size count no more than this.
-constexpr double kLeast = -12.0;
+constexpr double kLeastLogLikelihood = -12.0;
 
 double logNormal(double difference, double variance)
 {
-    return std::max(kLeast, -0.5 * difference * difference / variance) - 0.5 * std::log(variance);
+    return std::max(kLeastLogLikelihood, -0.5 * difference * difference / variance) -
+           0.5 * std::log(variance);
 }
 
 double logLikelihood(const Measurement& m, double height, const TypeSizes& sizes)

@@ -8,9 +8,9 @@ namespace vdamf
 {
 namespace
 {
-constexpr double kReach = 8.0;   // m between centres
-constexpr double kAlike = 0.97;  // of the labelled vehicles with another one in reach
-constexpr double kMost = 3.0;    // log odds: what makes them stand otherwise holds for all
+constexpr double kReach = 8.0;        // m between centres
+constexpr double kAlike = 0.97;       // of the labelled vehicles with another one in reach
+constexpr double kMostLogOdds = 3.0;  // log odds: what makes them stand otherwise holds for all
 constexpr double kSame = 20.0 * kPi / 180.0;  // rad
 
 bool isPublished(const Track& track)
@@ -55,7 +55,7 @@ double Neighbourhood::axesEvidence(const OrientedBox& box, std::uint64_t self) c
         else if (turn > 0.5 * kPi - kSame)
             sum -= other.logOdds;
     }
-    return std::clamp(sum, -kMost, kMost);
+    return std::clamp(sum, -kMostLogOdds, kMostLogOdds);
 }
 
 }  // namespace vdamf

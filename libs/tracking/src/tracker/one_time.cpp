@@ -46,13 +46,13 @@ TimeSpan spanOf(const Cluster& cluster)
     return span;
 }
 
-struct Parts
+struct PartsInTime
 {
     Cluster larger, smaller;
 };
 
 // The hits before and after the middle of the span.
-Parts splitInTime(const Cluster& cluster, const TimeSpan& span)
+PartsInTime splitInTime(const Cluster& cluster, const TimeSpan& span)
 {
     const double middle = 0.5 * (span.first + span.last);
     Cluster part[2];
@@ -127,7 +127,7 @@ HitsAtOneTime hitsAtOneTime(const SegmentedFrame& frame, const std::vector<std::
     TimeSpan span = spanOf(all);
     if (span.length() > kSeamGap && motion.speedSigma * span.length() > kMostDistance)
     {
-        Parts parts = splitInTime(all, span);
+        PartsInTime parts = splitInTime(all, span);
         if (parts.smaller.size() > 0) result.goesOn = middleOf(parts.smaller);
         all = std::move(parts.larger);
         span = spanOf(all);

@@ -11,7 +11,7 @@ namespace vdamf
 {
 namespace
 {
-constexpr double kMemory = 1.5;  // s, of views, as that of the jitter that they show
+constexpr double kViewMemory = 1.5;  // s, of views, as that of the jitter that they show
 }  // namespace
 
 OrientedBox Track::boxOfHits() const
@@ -46,7 +46,7 @@ Track predictedTrack(Track track, double dt, const Eigen::Vector2d& sensor,
     const View now = viewOf(later.driving.front().box(), sensor);
     const double viewChange = changeOfView(before, now);
     *track.hypotheses = drifted(later, track.lastingError, viewChange);
-    track.viewChanged = track.viewChanged * std::exp(-dt / kMemory) + viewChange;
+    track.viewChanged = track.viewChanged * std::exp(-dt / kViewMemory) + viewChange;
     track.seenFrom = sensor;
     if (track.misses > 0) *track.hypotheses = unseen(*track.hypotheses, dt);
     track.state = track.hypotheses->combined(options);

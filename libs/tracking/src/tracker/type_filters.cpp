@@ -9,8 +9,8 @@ namespace vdamf
 {
 namespace
 {
-constexpr double kMemory = 0.9;  // of a frame, a frame later
-constexpr double kFrames = 3.0;  // that all count for
+constexpr double kTypeMemory = 0.9;  // of a frame, a frame later
+constexpr double kFrames = 3.0;      // that all count for
 }  // namespace
 
 TypeFilters::TypeFilters(const MeasureOptions& options) : common_(options)
@@ -33,8 +33,8 @@ Track TypeFilters::judged(Track track, const Sighting& sighting) const
     if (ofType_.empty()) return track;
     const FilterBank& bank = *common_.bank;
     const std::vector<double> now = typeLogLikelihoods(sighting.measurement, sighting.height, bank);
-    const double gain = track.typeEvidence.empty() ? 1.0 : kFrames * (1.0 - kMemory);
-    const double memory = track.typeEvidence.empty() ? 0.0 : kMemory;
+    const double gain = track.typeEvidence.empty() ? 1.0 : kFrames * (1.0 - kTypeMemory);
+    const double memory = track.typeEvidence.empty() ? 0.0 : kTypeMemory;
     track.typeEvidence.resize(now.size(), 0.0);
     for (std::size_t k = 0; k < now.size(); ++k)
         track.typeEvidence[k] = memory * track.typeEvidence[k] + gain * now[k];

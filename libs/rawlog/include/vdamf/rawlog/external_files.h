@@ -2,6 +2,7 @@
 // Where the files are that observations of a rawlog keep their points in.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -13,6 +14,9 @@ namespace vdamf
 class ExternalFiles
 {
 public:
+    /// Bytes of one allocation while such a file is loaded.
+    static constexpr std::size_t kLargestAllocation = std::size_t{256} << 20;
+
     ExternalFiles() = default;
     /// Of a rawlog: `<name>_Images`, `_images` and `_IMAGES` beside it (<name>: without .rawlog and
     /// .gz), its own folder, the current one.

@@ -12,6 +12,8 @@
 
 namespace vdamf
 {
+using VelodyneScan = mrpt::obs::CObservationVelodyneScan;
+
 enum class VelodyneModel
 {
     VLP16,
@@ -25,11 +27,11 @@ enum class VelodyneModel
 /// the second of two equal returns is dropped. The observation's calibration is used where it has
 /// one; without it, the nominal elevations. A scan without packets gives its `point_cloud`, with
 /// times only if that has them. Throws std::runtime_error on a sensor that it does not know.
-PointCloud decodeVelodyne(const mrpt::obs::CObservationVelodyneScan& scan);
+PointCloud decodeVelodyne(const VelodyneScan& scan);
 
 /// Seconds from the observation's time to its last firing, without decoding it; 0 where the
 /// sensor is unknown or the hits have no times. At most a second.
-double durationOf(const mrpt::obs::CObservationVelodyneScan& scan);
+double durationOf(const VelodyneScan& scan);
 
 /// Elevation of each laser in the order of the packet, rad.
 const std::vector<double>& laserElevations(VelodyneModel model);
@@ -39,7 +41,7 @@ mrpt::obs::VelodyneCalibration nominalCalibration(VelodyneModel model);
 
 /// The model that recorded the packets. Throws std::runtime_error where there are none, or the
 /// sensor is none of those known.
-VelodyneModel velodyneModelOf(const mrpt::obs::CObservationVelodyneScan& scan);
+VelodyneModel velodyneModelOf(const VelodyneScan& scan);
 
 /// One firing of all lasers of a sensor.
 struct VelodyneFiring
@@ -55,7 +57,7 @@ struct VelodyneFiring
 /// 1/255; ranges beyond 131.07 m count as no return. The last packet is filled up with blocks
 /// without returns. `time`: of the first firing, s (UNIX). Used for simulated scans. Throws
 /// std::runtime_error where a firing has not as many ranges and intensities as lasers.
-mrpt::obs::CObservationVelodyneScan encodeVelodyne(VelodyneModel model, double time,
-                                                   const std::vector<VelodyneFiring>& firings);
+VelodyneScan encodeVelodyne(VelodyneModel model, double time,
+                            const std::vector<VelodyneFiring>& firings);
 
 }  // namespace vdamf

@@ -11,6 +11,7 @@
 namespace vdamf
 {
 inline constexpr double kPi = 3.14159265358979323846;
+inline constexpr double kDegree = kPi / 180.0;  ///< rad
 
 /// The same angle in (-pi, pi].
 inline double wrapAngle(double angle)
