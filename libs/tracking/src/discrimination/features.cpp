@@ -13,9 +13,9 @@ namespace vdamf
 namespace
 {
 /// Finds cells along an axis without a division for each hit.
-struct CellFinder
+struct AxisCells
 {
-    explicit CellFinder(const GridAxis& axis)
+    explicit AxisCells(const GridAxis& axis)
         : min(static_cast<float>(axis.min)),
           perMetre(static_cast<float>(1.0 / axis.cellSize())),
           cells(static_cast<float>(axis.cells))
@@ -34,7 +34,7 @@ std::vector<std::int32_t> gridCells(const CanonicalHits& hits, const Discriminat
 {
     std::vector<std::int32_t> cells(hits.size());
     inWideLanes([
-        alongX = CellFinder(grid.x), alongY = CellFinder(grid.y), alongZ = CellFinder(grid.z),
+        alongX = AxisCells(grid.x), alongY = AxisCells(grid.y), alongZ = AxisCells(grid.z),
         nx = grid.x.cells, ny = grid.y.cells, x = hits.x.data(), y = hits.y.data(),
         z = hits.z.data(), size = hits.size(), to = cells.data()
     ]() __attribute__((always_inline)) {

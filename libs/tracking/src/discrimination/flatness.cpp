@@ -13,7 +13,7 @@ namespace vdamf
 {
 namespace
 {
-struct Moments
+struct SpatialMoments
 {
     double count = 0.0;
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
@@ -29,9 +29,9 @@ struct Moments
 };
 
 /// Of the hits whose depth behind a face, one of the coordinates, is within reach.
-Moments momentsOf(const CanonicalHits& hits, const std::vector<float>& depths, float reach)
+SpatialMoments momentsOf(const CanonicalHits& hits, const std::vector<float>& depths, float reach)
 {
-    Moments moments;
+    SpatialMoments moments;
     inWideLanes([
         reach, px = hits.x.data(), py = hits.y.data(), pz = hits.z.data(), pd = depths.data(),
         size = hits.size(), result = &moments
@@ -75,7 +75,7 @@ FaceShape faceShapeOf(const CanonicalHits& hits, const std::vector<float>& depth
 {
     constexpr float kReach = 0.5F;   // m
     constexpr double kFewest = 6.0;  // hits
-    const Moments moments = momentsOf(hits, depths, kReach);
+    const SpatialMoments moments = momentsOf(hits, depths, kReach);
     FaceShape shape;
     shape.share = moments.count / static_cast<double>(hits.size());
     if (moments.count < kFewest) return shape;
@@ -92,7 +92,7 @@ Flatness flatnessOf(const CanonicalHits& hits)
     Flatness flatness;
     flatness.side = faceShapeOf(hits, hits.y);
     flatness.end = faceShapeOf(hits, hits.x);
-    const Moments all = momentsOf(hits, hits.x, std::numeric_limits<float>::max());
+    const SpatialMoments all = momentsOf(hits, hits.x, std::numeric_limits<float>::max());
     Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes;
     axes.computeDirect(all.covariance(), Eigen::EigenvaluesOnly);
     const Eigen::Vector3d spans = axes.eigenvalues().cwiseMax(0.0).cwiseSqrt();

@@ -87,7 +87,7 @@ void forEachPair(const Descriptors& descriptors, bool planar, Each each)
 }
 
 // The many pairs are not to drown the cells.
-constexpr double kScale = 0.5;
+constexpr double kPairScale = 0.5;
 }  // namespace
 
 const std::vector<PairBlock>& pairBlocks()
@@ -106,8 +106,8 @@ void putPairs(const Descriptors& descriptors, bool planar, float* features)
                 [&](std::size_t first, std::size_t rowSize, double a, double b)
                 {
                     float* const row = features + first;
-                    const double above = kScale * a;
-                    const double below = kScale - above;
+                    const double above = kPairScale * a;
+                    const double below = kPairScale - above;
                     row[0] += static_cast<float>(below * (1.0 - b));
                     row[1] += static_cast<float>(below * b);
                     row[rowSize] += static_cast<float>(above * (1.0 - b));
@@ -126,7 +126,7 @@ double pairScore(const Descriptors& descriptors, bool planar, const double* weig
                     const double above = row[rowSize] + b * (row[rowSize + 1] - row[rowSize]);
                     score += below + a * (above - below);
                 });
-    return kScale * score;
+    return kPairScale * score;
 }
 
 }  // namespace vdamf

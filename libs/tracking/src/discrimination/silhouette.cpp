@@ -11,8 +11,8 @@ namespace vdamf
 namespace
 {
 constexpr float kCell = 0.25F;  // m, wider than the distance of two rays at usual ranges
-constexpr std::size_t kColumns = 128;
-constexpr std::size_t kRows = 12;
+constexpr std::size_t kRasterColumns = 128;
+constexpr std::size_t kRasterRows = 12;
 
 /// Depths of the hits in one cell.
 struct Cell
@@ -56,7 +56,7 @@ struct Raster
     bool hasHits(std::size_t column) const { return top[column] > kNone; }
     const Cell& at(std::size_t column, std::size_t row) const
     {
-        return cells[column * kRows + row];
+        return cells[column * kRasterRows + row];
     }
 };
 
@@ -72,19 +72,20 @@ Raster rasterOf(const CanonicalHits& hits, bool planar)
     const auto columnOf = [&](float value)
     {
         return static_cast<std::size_t>(
-            std::min(static_cast<float>(kColumns - 1), (value - first) / kCell));
+            std::min(static_cast<float>(kRasterColumns - 1), (value - first) / kCell));
     };
     Raster raster;
     raster.breadth = *max - first;
     raster.columns = 1 + columnOf(*max);
-    raster.cells.resize(raster.columns * kRows);
+    raster.cells.resize(raster.columns * kRasterRows);
     raster.top.assign(raster.columns, Raster::kNone);
     for (std::size_t i = 0; i < hits.size(); ++i)
     {
         const std::size_t column = columnOf(across[i]);
         const float row =
-            planar ? 0.0F : std::clamp(hits.z[i] / kCell, 0.0F, static_cast<float>(kRows - 1));
-        Cell& cell = raster.cells[column * kRows + static_cast<std::size_t>(row)];
+            planar ? 0.0F
+                   : std::clamp(hits.z[i] / kCell, 0.0F, static_cast<float>(kRasterRows - 1));
+        Cell& cell = raster.cells[column * kRasterRows + static_cast<std::size_t>(row)];
         const float depth = away.x() * hits.x[i] + away.y() * hits.y[i];
         cell.count += 1.0F;
         cell.sum += depth;
@@ -110,7 +111,7 @@ std::optional<double> raggedOf(const Raster& raster)
 void addColumn(const Raster& raster, std::size_t column, Mean& thickness, Mean& bend, Mean& slope)
 {
     constexpr float kMost = 1.0F;  // m, so that what stands behind does not outweigh all
-    for (std::size_t row = 0; row < kRows; ++row)
+    for (std::size_t row = 0; row < kRasterRows; ++row)
     {
         const Cell& cell = raster.at(column, row);
         if (!cell.hasHits()) continue;
@@ -120,7 +121,7 @@ void addColumn(const Raster& raster, std::size_t column, Mean& thickness, Mean& 
         if (column + 1 < raster.columns && raster.at(column + 1, row).hasHits())
             bend.add(static_cast<double>(
                 std::min(kMost, std::abs(raster.at(column + 1, row).mean() - cell.mean()))));
-        if (row + 1 < kRows && raster.at(column, row + 1).hasHits())
+        if (row + 1 < kRasterRows && raster.at(column, row + 1).hasHits())
             slope.add(static_cast<double>(
                 std::clamp(raster.at(column, row + 1).mean() - cell.mean(), -kMost, kMost)));
     }

@@ -16,7 +16,7 @@ struct Depth
     double sigma;
 };
 constexpr std::size_t kHeights = 10;
-constexpr unsigned kLowest = 2;  // tenths of a metre
+constexpr unsigned kLowestBand = 2;  // tenths of a metre
 using Depths = std::array<Depth, kHeights>;
 constexpr Depths kLowFront = {{{1.7, 0.42},
                                {0.83, 0.36},
@@ -88,7 +88,7 @@ Depth leastDepth(const Depths& depths, std::uint64_t heights)
     const Depth* least = nullptr;
     for (std::size_t k = 0; k < kHeights; ++k)
     {
-        if (((heights >> (k + kLowest)) & 1U) == 0) continue;
+        if (((heights >> (k + kLowestBand)) & 1U) == 0) continue;
         const Depth& depth = depths[k];
         const bool less = least == nullptr || depth.mean < least->mean ||
                           (depth.mean == least->mean && depth.sigma < least->sigma);

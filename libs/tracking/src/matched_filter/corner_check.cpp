@@ -15,9 +15,9 @@ constexpr double kRound = 0.8;      // m before it: corners are round
 constexpr double kMinBeyond = 5.0;  // hits
 constexpr double kMostBeyond = 0.1;  // share of a row's hits that clutter may put beyond
 constexpr double kSpacings = 4.0;
-constexpr double kMany = 10.0;      // hits of a row that tell how it begins
-constexpr double kNear = 1.0;       // m behind the other face where it must have begun ...
-constexpr double kThinnest = 0.35;  // ... with so much of the density of the whole row
+constexpr double kMany = 10.0;       // hits of a row that tell how it begins
+constexpr double kNearCorner = 1.0;  // m behind the other face where it must have begun ...
+constexpr double kThinnest = 0.35;   // ... with so much of the density of the whole row
 
 // The hits along one face, by how far they lie behind the other one.
 struct BesideCorner
@@ -37,7 +37,7 @@ struct BesideCorner
             beyond += weight;
             return;
         }
-        if (behindOther < kNear) near += weight;
+        if (behindOther < kNearCorner) near += weight;
         cells += 1.0;
         first = std::min(first, behindOther);
         last = std::max(last, behindOther);
@@ -47,7 +47,8 @@ struct BesideCorner
     {
         if (beyond >= kMinBeyond && beyond > kMostBeyond * hits) return true;
         if (cells < 2.0) return false;
-        if (hits >= kMany && near < kThinnest * hits * kNear / std::max(kNear, last)) return true;
+        if (hits >= kMany && near < kThinnest * hits * kNearCorner / std::max(kNearCorner, last))
+            return true;
         const double spacing = (last - first) / (cells - 1.0);
         return first > kRound + kSpacings * spacing;
     }

@@ -15,10 +15,10 @@ namespace vdamf
 {
 namespace
 {
-constexpr int kHeadings = 30;         // over a quarter turn
-constexpr double kBin = 0.1;          // m
-constexpr std::uint16_t kBins = 160;  // along an axis; what lies beyond is no vehicle
-constexpr double kMiddle = 0.5 * kBin * static_cast<double>(kBins);  // m
+constexpr int kHeadings = 30;               // over a quarter turn
+constexpr double kCornerBin = 0.1;          // m
+constexpr std::uint16_t kCornerBins = 160;  // along an axis; what lies beyond is no vehicle
+constexpr double kMiddle = 0.5 * kCornerBin * static_cast<double>(kCornerBins);  // m
 
 // The most hits in two neighbouring bins of one axis.
 struct Peak
@@ -31,14 +31,14 @@ struct Peak
 class AxisBins
 {
 public:
-    // Each of the hits may lie in kBins: nowhere. They take turns in the two tables, as most of
-    // them share a few bins and each would wait for the one before it.
+    // Each of the hits may lie in kCornerBins: nowhere. They take turns in the two tables, as most
+    // of them share a few bins and each would wait for the one before it.
     AxisBins(const std::vector<std::uint16_t>& bins, const std::vector<float>& weights)
     {
         if (bins.empty()) return;
         inWideLanes([ from = bins.data(), size = bins.size(), first = &first_, last = &last_ ]()
                         __attribute__((always_inline)) {
-                            std::uint16_t least = kBins;
+                            std::uint16_t least = kCornerBins;
                             std::uint16_t most = 0;
                             for (std::size_t i = 0; i < size; ++i)
                             {
@@ -66,7 +66,7 @@ public:
         Heaviest all;
         inWideLanes([
             first = std::max<std::size_t>(first_, 1),
-            end = std::min<std::size_t>(last_ + 2U, kBins), even = bins_[0].data() + kPadding,
+            end = std::min<std::size_t>(last_ + 2U, kCornerBins), even = bins_[0].data() + kPadding,
             odd = bins_[1].data() + kPadding, result = &all
         ]() __attribute__((always_inline)) {
             Heaviest heaviest;
@@ -91,7 +91,7 @@ public:
             const bool isFirst = all.weight[k] == all.weight[best] && all.at[k] < all.at[best];
             if (all.weight[k] > all.weight[best] || isFirst) best = k;
         }
-        return {kBin * static_cast<double>(all.at[best]) - kMiddle,
+        return {kCornerBin * static_cast<double>(all.at[best]) - kMiddle,
                 static_cast<double>(all.weight[best])};
     }
 
@@ -104,8 +104,8 @@ private:
     };
 
     // From the bin before first_ to those that a look at some of them reads behind last_.
-    std::array<std::array<float, kBins + 1 + 2 * kPadding>, 2> bins_;
-    std::uint16_t first_ = kBins;
+    std::array<std::array<float, kCornerBins + 1 + 2 * kPadding>, 2> bins_;
+    std::uint16_t first_ = kCornerBins;
     std::uint16_t last_ = 0;
 };
 
@@ -136,9 +136,9 @@ public:
             s = static_cast<float>(forward.sin), px = x_.data(), py = y_.data(), toX = binX_.data(),
             toY = binY_.data()
         ]() __attribute__((always_inline)) {
-            constexpr auto kScale = static_cast<float>(1.0 / kBin);
-            constexpr auto kOffset = static_cast<float>(kMiddle / kBin);
-            constexpr auto kEnd = static_cast<float>(kBins);
+            constexpr auto kScale = static_cast<float>(1.0 / kCornerBin);
+            constexpr auto kOffset = static_cast<float>(kMiddle / kCornerBin);
+            constexpr auto kEnd = static_cast<float>(kCornerBins);
             VDAMF_INDEPENDENT_LANES
             for (std::size_t i = 0; i < size; ++i)
             {

@@ -36,7 +36,7 @@ struct RowOnFace
 constexpr double kRowBehind = 0.8;
 constexpr double kRowInFront = 0.25;
 // A gap that ends a row of hits: so many times the gaps before it, within these bounds, m.
-constexpr double kWideGap = 4.0;
+constexpr double kGapRatio = 4.0;
 constexpr double kLeastRowGap = 0.25;
 constexpr double kLargestRowGap = 1.0;
 // The end of a row of hits, of which the filter said `fitted`: half a gap behind the last of them;
@@ -63,7 +63,7 @@ std::optional<FacePlace> rowEnd(std::vector<double> row, double fitted, double s
     {
         const double gap = row[next] - row[next - 1];
         return row[next] < least ||
-               gap < std::clamp(kWideGap * gapBefore(next - 1), kLeastRowGap, kLargestRowGap);
+               gap < std::clamp(kGapRatio * gapBefore(next - 1), kLeastRowGap, kLargestRowGap);
     };
     while (count < row.size() && goesOn(count)) ++count;
     const double gap = gapBefore(count - 1);

@@ -12,7 +12,7 @@ namespace
 {
 // Parameters are brought to like curvature: a quarter of a radian moves a vehicle's corner about
 // as far as a metre moves its centre.
-const Vector5d kScale = (Vector5d() << 1.0, 1.0, 0.25, 1.0, 1.0).finished();
+const Vector5d kStepScale = (Vector5d() << 1.0, 1.0, 0.25, 1.0, 1.0).finished();
 // The response changes its shape over half a strip: longer steps than that are mostly lost.
 constexpr double kMaxMove = 0.3;          // m, of the centre
 constexpr double kMaxTurn = 0.15;         // rad
@@ -59,8 +59,8 @@ struct Step
 
 Step dampedStep(const FitCost& cost, const OrientedBox& box, double damping, const FitOptions& o)
 {
-    Vector5d g = kScale.cwiseProduct(cost.gradient);
-    Matrix5d h = kScale.asDiagonal() * cost.hessian * kScale.asDiagonal();
+    Vector5d g = kStepScale.cwiseProduct(cost.gradient);
+    Matrix5d h = kStepScale.asDiagonal() * cost.hessian * kStepScale.asDiagonal();
     for (int k = 3; k < 5; ++k)
     {
         if (!heldAtBound(k, box, cost.gradient(k), o)) continue;
@@ -70,7 +70,7 @@ Step dampedStep(const FitCost& cost, const OrientedBox& box, double damping, con
         h(k, k) = 1.0;
     }
     Vector5d step = newtonStep(g, h, damping);
-    const Vector5d move = kScale.cwiseProduct(step);
+    const Vector5d move = kStepScale.cwiseProduct(step);
     const double excess = std::max({move.head<2>().norm() / kMaxMove, std::abs(move(2)) / kMaxTurn,
                                     move.tail<2>().cwiseAbs().maxCoeff() / kMaxGrowth, 1.0});
     step /= excess;

@@ -14,7 +14,6 @@ namespace vdamf
 {
 namespace
 {
-constexpr std::uint32_t kNone = PlaneCells::kNone;
 
 // By cell: how far its cluster goes on from it.
 struct Reaches
@@ -114,7 +113,7 @@ struct Group
 {
     static constexpr float kFar = 1e9F;
     std::uint32_t hits = 0;
-    std::uint32_t cluster = kNone;
+    std::uint32_t cluster = PlaneCells::kNone;
     float minX = kFar, minY = kFar, maxX = -kFar, maxY = -kFar;
 
     void add(float x, float y, std::uint32_t count)
@@ -129,9 +128,9 @@ struct Group
     float extent() const { return std::hypot(maxX - minX, maxY - minY); }
 };
 
-constexpr std::uint32_t kLoose = kNone - 1;
+constexpr std::uint32_t kLoose = PlaneCells::kNone - 1;
 
-// By cell; all cells of a group name the same cluster, kLoose, or kNone.
+// By cell; all cells of a group name the same cluster, kLoose, or PlaneCells::kNone.
 struct ClusterOfCell
 {
     std::vector<std::uint32_t> cluster;
@@ -194,9 +193,9 @@ ClusteredHits gather(const LadarFrame& frame, const AboveGround& above,
     const bool timed = !frame.points.time.empty();
     for (std::size_t i = 0; i < cellOfHit.size(); ++i)
     {
-        if (cellOfHit[i] == kNone) continue;
+        if (cellOfHit[i] == PlaneCells::kNone) continue;
         const std::uint32_t to = numbers.cluster[cellOfHit[i]];
-        if (to == kNone) continue;
+        if (to == PlaneCells::kNone) continue;
         const std::size_t from = above.index[i];
         if (to == kLoose)
         {

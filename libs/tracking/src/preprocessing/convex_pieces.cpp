@@ -14,12 +14,12 @@ namespace vdamf
 {
 namespace
 {
-constexpr int kSectors = 1440;      // of a turn
-constexpr float kLowest = 0.3F;     // m: below are kerbs and grass
-constexpr float kHighest = 1.2F;    // m: above are mirrors, branches and roofs
-constexpr double kDent = 0.5;       // m: wheel houses are shallower
-constexpr float kBehind = 0.6F;     // m behind the nearest hit: of the same face
-constexpr std::size_t kFewest = 3;  // places of an outline that is cut
+constexpr int kBearings = 1440;         // of a turn
+constexpr float kAboveKerbs = 0.3F;     // m: below are kerbs and grass
+constexpr float kBelowMirrors = 1.2F;   // m: above are mirrors, branches and roofs
+constexpr double kDent = 0.5;           // m: wheel houses are shallower
+constexpr float kBehindNearest = 0.6F;  // m behind the nearest hit: of the same face
+constexpr std::size_t kFewest = 3;      // places of an outline that is cut
 
 struct OutlinePoint
 {
@@ -39,7 +39,7 @@ struct Bearings
 // First and last of some sectors.
 struct Span
 {
-    std::uint32_t first = kSectors, last = 0;
+    std::uint32_t first = kBearings, last = 0;
 };
 
 Span spanOf(const std::vector<std::uint32_t>& sectors)
@@ -61,7 +61,7 @@ Span spanOf(const std::vector<std::uint32_t>& sectors)
 // Hits on both sides of where turns begin anew are numbered from the opposite side.
 void numberFromFirst(Bearings& bearings)
 {
-    constexpr std::uint32_t kHalf = kSectors / 2;
+    constexpr std::uint32_t kHalf = kBearings / 2;
     if (bearings.sector.empty()) return;
     Span span = spanOf(bearings.sector);
     if (span.last - span.first > kHalf)
@@ -86,8 +86,8 @@ Bearings bearingsOf(const Cluster& cluster, const Eigen::Vector2f& sensor)
             const float dx = x[i] - sx;
             const float dy = y[i] - sy;
             const int at =
-                static_cast<int>(turns(dx, dy, FineArc()) * static_cast<float>(kSectors));
-            sectors[i] = static_cast<std::uint32_t>(at < kSectors ? at : kSectors - 1);
+                static_cast<int>(turns(dx, dy, FineArc()) * static_cast<float>(kBearings));
+            sectors[i] = static_cast<std::uint32_t>(at < kBearings ? at : kBearings - 1);
             ranges[i] = std::sqrt(dx * dx + dy * dy);
         }
     });
@@ -102,7 +102,7 @@ std::vector<OutlinePoint> outlineOf(const Cluster& cluster, const Bearings& bear
     std::vector<std::uint32_t> nearest(bearings.sectors, kNone);
     for (std::uint32_t i = 0; i < cluster.size(); ++i)
     {
-        if (cluster.height[i] < kLowest || cluster.height[i] > kHighest) continue;
+        if (cluster.height[i] < kAboveKerbs || cluster.height[i] > kBelowMirrors) continue;
         std::uint32_t& best = nearest[bearings.sector[i]];
         if (best == kNone || bearings.range[i] < bearings.range[best]) best = i;
     }
@@ -122,7 +122,7 @@ std::vector<OutlinePoint> outlineOf(const Cluster& cluster, const Bearings& bear
         outline.push_back({s, bearings.range[i], Eigen::Vector2d(cluster.x[i], cluster.y[i])});
     }
     if (outline.empty()) return outline;
-    if (static_cast<std::uint32_t>(kSectors) - outline.back().sector + outline.front().sector >=
+    if (static_cast<std::uint32_t>(kBearings) - outline.back().sector + outline.front().sector >=
         widest)
         start = 0;
     std::rotate(outline.begin(), outline.begin() + static_cast<std::ptrdiff_t>(start),
@@ -203,7 +203,7 @@ std::vector<Cluster> convexPieces(const Cluster& cluster, const Eigen::Vector2d&
     for (std::size_t i = 0; i < outline.size(); ++i)
     {
         if (piece < cuts.size() && i == cuts[piece]) ++piece;
-        sectors[outline[i].sector] = {piece, outline[i].range + kBehind};
+        sectors[outline[i].sector] = {piece, outline[i].range + kBehindNearest};
     }
     std::vector<Cluster> pieces(cuts.size() + 1);
     for (std::size_t i = 0; i < cluster.size(); ++i)

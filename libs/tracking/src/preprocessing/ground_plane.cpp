@@ -19,7 +19,7 @@ constexpr float kSearchRange = 25.0F;   // m
 constexpr int kSectorsAtOnce = 4;       // one low hit from these, for speed and robustness
 constexpr float kLeastSupport = 12.0F;  // low hits in the plane, less half of those below it
 constexpr float kSearchTop = 0.5F;      // planes up to this over the sensor compete, m
-constexpr float kBin = 0.1F;            // of the histogram over heights, m
+constexpr float kHeightBin = 0.1F;      // of the histogram over heights, m
 
 // The second lowest hit of a cell, where it has one, is less likely to be an outlier.
 CellHits lowHitsNearby(const PolarGrid& grid, const LowHits& lowHits)
@@ -48,7 +48,7 @@ CellHits lowHitsNearby(const PolarGrid& grid, const LowHits& lowHits)
     return nearby;
 }
 
-struct Candidate
+struct PlaneCandidate
 {
     GroundPlane plane;
     float score = 0.0F;
@@ -69,7 +69,7 @@ std::array<int, kMaxBins> histogramOf(const CellHits& points, float slopeX, floa
         for (std::size_t i = 0; i < size; ++i)
         {
             const float z = pz[i] - slopeX * px[i] - slopeY * py[i];
-            const float at = (z - bottom) * (1.0F / kBin);
+            const float at = (z - bottom) * (1.0F / kHeightBin);
             const float above = at > 0.0F ? at : 0.0F;
             bin[i] = static_cast<std::uint8_t>(static_cast<int>(above < lastBin ? above : lastBin));
         }
@@ -85,14 +85,15 @@ std::array<int, kMaxBins> histogramOf(const CellHits& points, float slopeX, floa
 
 // The best height for the slope: many points in three bins, few below them (a LADAR does not see
 // through the ground, but a mirror or the edge of a slope shows some).
-Candidate bestHeight(const CellHits& points, float slopeX, float slopeY,
-                     const GroundOptions& options)
+PlaneCandidate bestHeight(const CellHits& points, float slopeX, float slopeY,
+                          const GroundOptions& options)
 {
-    const auto bottom = static_cast<float>(-options.maxSensorHeight) - 2.0F * kBin;
-    const int bins = std::clamp(static_cast<int>((kSearchTop - bottom) / kBin) + 2, 4, kMaxBins);
+    const auto bottom = static_cast<float>(-options.maxSensorHeight) - 2.0F * kHeightBin;
+    const int bins =
+        std::clamp(static_cast<int>((kSearchTop - bottom) / kHeightBin) + 2, 4, kMaxBins);
     const std::array<int, kMaxBins> histogram =
         histogramOf(points, slopeX, slopeY, bottom, static_cast<float>(bins - 1));
-    Candidate best;
+    PlaneCandidate best;
     int below = histogram[0];
     for (int bin = 1; bin + 3 < bins; ++bin)
     {
@@ -101,7 +102,7 @@ Candidate bestHeight(const CellHits& points, float slopeX, float slopeY,
         const float score = static_cast<float>(inside) - 0.5F * static_cast<float>(below);
         if (score > best.score)
         {
-            const float height = bottom + (static_cast<float>(bin) + 1.5F) * kBin;
+            const float height = bottom + (static_cast<float>(bin) + 1.5F) * kHeightBin;
             best = {{height, slopeX, slopeY}, score};
         }
         below += histogram[at];
@@ -110,11 +111,11 @@ Candidate bestHeight(const CellHits& points, float slopeX, float slopeY,
 }
 
 // A slope has to be better than a flatter one by 2 %, so that few hits do not tilt the plane.
-Candidate bestPlane(const CellHits& points, const GroundOptions& options)
+PlaneCandidate bestPlane(const CellHits& points, const GroundOptions& options)
 {
     constexpr int kSteps = 3;
     constexpr float kStep = 0.05F;
-    Candidate best;
+    PlaneCandidate best;
     for (int level = 0; level <= kSteps; ++level)
     {
         for (int i = -level; i <= level; ++i)
@@ -122,8 +123,8 @@ Candidate bestPlane(const CellHits& points, const GroundOptions& options)
             for (int j = -level; j <= level; ++j)
             {
                 if (std::max(std::abs(i), std::abs(j)) != level) continue;
-                const Candidate c = bestHeight(points, static_cast<float>(i) * kStep,
-                                               static_cast<float>(j) * kStep, options);
+                const PlaneCandidate c = bestHeight(points, static_cast<float>(i) * kStep,
+                                                    static_cast<float>(j) * kStep, options);
                 if (c.score > 1.02F * best.score) best = c;
             }
         }
@@ -203,7 +204,7 @@ std::optional<GroundPlane> findGroundPlane(const PolarGrid& grid, const LowHits&
                                            const GroundOptions& options)
 {
     const CellHits points = lowHitsNearby(grid, lowHits);
-    const Candidate best = bestPlane(points, options);
+    const PlaneCandidate best = bestPlane(points, options);
     if (best.score < kLeastSupport) return std::nullopt;
     // What a line scanner sees lies in a plane too: its own.
     if (best.plane.height > -static_cast<float>(options.minSensorHeight)) return std::nullopt;

@@ -31,7 +31,7 @@ constexpr float kAlone = 0.05F;        // a lowest hit that is below the next by
 constexpr float kStartVariance = 0.1F * 0.1F;  // of the plane, m^2
 constexpr float kStartSlope = 0.03F * 0.03F;
 constexpr float kUnseen = std::numeric_limits<float>::quiet_NaN();
-constexpr std::size_t kSectors = PolarGrid::kSectors;
+constexpr std::size_t kSurfaceSectors = PolarGrid::kSectors;
 
 // Height and slope over the range of one sector, with their covariance.
 struct Profile
@@ -47,12 +47,12 @@ struct Profile
 // Those of all sectors, as arrays: sectors side by side fill the lanes of vector registers.
 struct Profiles
 {
-    using Row = std::array<float, kSectors>;
+    using Row = std::array<float, kSurfaceSectors>;
     Row height, slope, hh, hs, ss, blind;
 
     explicit Profiles(const Profile& all)
     {
-        for (std::size_t s = 0; s < kSectors; ++s) set(s, all);
+        for (std::size_t s = 0; s < kSurfaceSectors; ++s) set(s, all);
     }
 
     [[gnu::always_inline]] Profile at(std::size_t s) const
@@ -139,7 +139,7 @@ struct OutwardPass
     std::vector<float> hitHeight;  // m; kUnseen where none was
 
     explicit OutwardPass(const PolarGrid& grid)
-        : height(static_cast<std::size_t>(grid.cells()) + kSectors),
+        : height(static_cast<std::size_t>(grid.cells()) + kSurfaceSectors),
           variance(height.size()),
           hitRange(static_cast<std::size_t>(grid.cells())),
           hitHeight(hitRange.size())
@@ -160,7 +160,7 @@ void crossRing(Profiles& profiles, const LowHits& low, std::size_t firstCell, co
         hitHeight = &pass.hitHeight[firstCell]
     ]() __attribute__((always_inline)) {
         VDAMF_INDEPENDENT_LANES
-        for (std::size_t s = 0; s < kSectors; ++s)
+        for (std::size_t s = 0; s < kSurfaceSectors; ++s)
         {
             const Profile before = p->at(s);
             const GroundHit lowest = groundHit(ax[s], ay[s], az[s], plane);
@@ -210,14 +210,14 @@ inline void learnFrom(Profiles& p, std::size_t to, std::size_t from, float arcVa
 // one that knows best.
 void exchangeAcross(Profiles& p, float range)
 {
-    const float arc = range * static_cast<float>(2.0 * kPi) / static_cast<float>(kSectors);
+    const float arc = range * static_cast<float>(2.0 * kPi) / static_cast<float>(kSurfaceSectors);
     const float arcVariance = arc * kLateralNoise;
     const auto best = std::min_element(p.hh.begin(), p.hh.end());
     const auto start = static_cast<std::size_t>(best - p.hh.begin());
-    for (std::size_t i = start + 1; i < start + kSectors; ++i)
-        learnFrom(p, i % kSectors, (i - 1) % kSectors, arcVariance);
-    for (std::size_t i = start + kSectors; i > start + 1; --i)
-        learnFrom(p, (i - 1) % kSectors, i % kSectors, arcVariance);
+    for (std::size_t i = start + 1; i < start + kSurfaceSectors; ++i)
+        learnFrom(p, i % kSurfaceSectors, (i - 1) % kSurfaceSectors, arcVariance);
+    for (std::size_t i = start + kSurfaceSectors; i > start + 1; --i)
+        learnFrom(p, (i - 1) % kSurfaceSectors, i % kSurfaceSectors, arcVariance);
 }
 
 OutwardPass passOutwards(const PolarGrid& grid, const LowHits& lowHits, const GroundPlane& plane)
@@ -254,7 +254,7 @@ std::vector<float> passInwards(const PolarGrid& grid, OutwardPass pass)
             hitHeight = &pass.hitHeight[first]
         ]() __attribute__((always_inline)) {
             VDAMF_INDEPENDENT_LANES
-            for (std::size_t s = 0; s < kSectors; ++s)
+            for (std::size_t s = 0; s < kSurfaceSectors; ++s)
             {
                 const Profile before = p->at(s);
                 const bool seen = hitHeight[s] == hitHeight[s];

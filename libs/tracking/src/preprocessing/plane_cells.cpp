@@ -12,14 +12,13 @@ namespace vdamf
 {
 namespace
 {
-constexpr float kReach = 1000.0F;  // hits farther than this from the sensor are no use, m
-constexpr std::uint32_t kNone = PlaneCells::kNone;
+constexpr float kUsefulRange = 1000.0F;  // hits farther than this from the sensor are no use, m
 
 // The hits above ground from the sensor, with the places of their cells on a grid around it.
 struct PlaneHits
 {
     std::vector<float> x, y;           // m
-    std::vector<std::uint32_t> place;  // row in the upper half, column in the lower; kNone
+    std::vector<std::uint32_t> place;  // row in the upper half, column in the lower; or kNone
 
     std::size_t size() const { return place.size(); }
 };
@@ -42,13 +41,15 @@ PlaneHits placesOf(const LadarFrame& frame, const AboveGround& above)
             const float y = py[index[i]] + dy;
             hx[i] = x;
             hy[i] = y;
-            const bool inX = std::abs(x) < kReach;
-            const bool inY = std::abs(y) < kReach;
+            const bool inX = std::abs(x) < kUsefulRange;
+            const bool inY = std::abs(y) < kUsefulRange;
             const bool used = inX & inY;
             constexpr float kPerMetre = 1.0F / PlaneCells::kSize;
-            const auto column = static_cast<std::int32_t>((used ? x + kReach : 0.0F) * kPerMetre);
-            const auto row = static_cast<std::int32_t>((used ? y + kReach : 0.0F) * kPerMetre);
-            place[i] = used ? static_cast<std::uint32_t>(row << 16 | column) : kNone;
+            const auto column =
+                static_cast<std::int32_t>((used ? x + kUsefulRange : 0.0F) * kPerMetre);
+            const auto row =
+                static_cast<std::int32_t>((used ? y + kUsefulRange : 0.0F) * kPerMetre);
+            place[i] = used ? static_cast<std::uint32_t>(row << 16 | column) : PlaneCells::kNone;
         }
     });
     return hits;
@@ -68,7 +69,7 @@ Bounds boundsOf(const PlaneHits& hits)
                         Bounds b;
                         for (std::size_t i = 0; i < size; ++i)
                         {
-                            const bool used = place[i] != kNone;
+                            const bool used = place[i] != PlaneCells::kNone;
                             const auto column = static_cast<std::int32_t>(place[i] & 0xFFFFU);
                             const auto row = static_cast<std::int32_t>(place[i] >> 16);
                             b.minColumn = std::min(b.minColumn, column);
@@ -94,7 +95,7 @@ std::vector<Sum> sumsOf(PlaneHits& hits, CellBitmap& bitmap, std::uint32_t first
 {
     for (std::uint32_t& place : hits.place)
     {
-        if (place == kNone) continue;
+        if (place == PlaneCells::kNone) continue;
         place -= first;
         bitmap.occupy(static_cast<int>(place & 0xFFFFU), static_cast<int>(place >> 16));
     }
@@ -107,7 +108,7 @@ std::vector<Sum> sumsOf(PlaneHits& hits, CellBitmap& bitmap, std::uint32_t first
         for (std::size_t i = 0; i < size; ++i)
         {
             const std::uint32_t place = places[i];
-            if (place == kNone) continue;
+            if (place == PlaneCells::kNone) continue;
             const std::uint32_t number =
                 bitmap.number(static_cast<int>(place & 0xFFFFU), static_cast<int>(place >> 16));
             places[i] = number;

@@ -14,12 +14,12 @@ namespace vdamf
 {
 namespace
 {
-constexpr int kSectors = 720;
+constexpr int kProfileSectors = 720;
 constexpr float kHidingHeight = 0.6F;  // m
 
 // Squared range and sector of some of the hits above ground. Cells' bearings need be no better
 // than a thousandth of a sector.
-struct Block
+struct LocatedBlock
 {
     static constexpr std::size_t kSize = 512;
     std::array<float, kSize> squaredRange;
@@ -41,8 +41,9 @@ struct Block
                 const bool hides = (height[i] >= kHidingHeight) & (square < 1e12F);
                 // From bearing -pi on: of the opposite direction from 0 on.
                 const float turn = hides ? turns(-dx, -dy, FineArc()) : 0.0F;
-                const int at = static_cast<int>(turn * kSectors);
-                sectors[i] = static_cast<std::uint16_t>(at < kSectors ? at : kSectors - 1);
+                const int at = static_cast<int>(turn * kProfileSectors);
+                sectors[i] =
+                    static_cast<std::uint16_t>(at < kProfileSectors ? at : kProfileSectors - 1);
                 squares[i] = hides ? square : std::numeric_limits<float>::infinity();
             }
         });
@@ -72,12 +73,12 @@ double lowestSlope(const LadarFrame& frame)
 RangeProfile rangeProfile(const LadarFrame& frame, const AboveGround& aboveGround)
 {
     RangeProfile profile;
-    profile.nearest.assign(kSectors, std::numeric_limits<float>::infinity());
+    profile.nearest.assign(kProfileSectors, std::numeric_limits<float>::infinity());
     const Eigen::Vector2f sensor = (frame.sensor - frame.origin).head<2>().cast<float>();
-    Block block;
-    for (std::size_t begin = 0; begin < aboveGround.index.size(); begin += Block::kSize)
+    LocatedBlock block;
+    for (std::size_t begin = 0; begin < aboveGround.index.size(); begin += LocatedBlock::kSize)
     {
-        const std::size_t size = std::min(Block::kSize, aboveGround.index.size() - begin);
+        const std::size_t size = std::min(LocatedBlock::kSize, aboveGround.index.size() - begin);
         block.locate(frame.points, &aboveGround.index[begin], &aboveGround.height[begin], size,
                      sensor);
         for (std::size_t i = 0; i < size; ++i)

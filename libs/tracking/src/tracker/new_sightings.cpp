@@ -83,25 +83,25 @@ Seam seamOf(const SegmentedFrame& frame, const std::vector<std::size_t>& free)
     return seam;
 }
 
-constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+constexpr std::size_t kNoOther = static_cast<std::size_t>(-1);
 
-// For each cluster the one that it continues beyond the seam, or kNone.
+// For each cluster the one that it continues beyond the seam, or kNoOther.
 std::vector<std::size_t> partners(const SegmentedFrame& frame, const std::vector<std::size_t>& free)
 {
-    std::vector<std::size_t> partner(frame.clusters.size(), kNone);
+    std::vector<std::size_t> partner(frame.clusters.size(), kNoOther);
     const Seam seam = seamOf(frame, free);
     for (const std::size_t i : seam.early)
         for (const std::size_t j : seam.late)
         {
             const bool near = std::abs(rangeOf(frame, i) - rangeOf(frame, j)) < kSeamMotion;
-            if (!near || partner[i] != kNone || partner[j] != kNone) continue;
+            if (!near || partner[i] != kNoOther || partner[j] != kNoOther) continue;
             partner[i] = j;
             partner[j] = i;
         }
     return partner;
 }
 
-// A cluster that may be a new target, with the one that it continues beyond the seam, or kNone.
+// A cluster that may be a new target, with the one that it continues beyond the seam, or kNoOther.
 struct Start
 {
     std::size_t cluster;
@@ -121,7 +121,7 @@ std::vector<Start> startsAmong(const SegmentedFrame& frame, const std::vector<bo
     {
         const std::size_t other = partner[i];
         const bool isSmaller =
-            other != kNone &&
+            other != kNoOther &&
             (frame.hits[other].totalWeight > frame.hits[i].totalWeight ||
              (frame.hits[other].totalWeight == frame.hits[i].totalWeight && other < i));
         if (!isSmaller && mayStart(frame, i, options)) starts.push_back({i, other});
@@ -136,7 +136,7 @@ std::optional<Sighting> firstSighting(const SegmentedFrame& frame, const Start& 
     TargetMotion unknown;
     unknown.speedSigma = options.lifecycle.startSpeedSigma;
     HitsAtOneTime seen = hitsAtOneTime(frame, {at.cluster}, unknown, options.measurement.mergeCell);
-    if (at.other != kNone) seen.goesOn = middleOf(frame.hits[at.other]);
+    if (at.other != kNoOther) seen.goesOn = middleOf(frame.hits[at.other]);
     const OrientedBox start =
         startBox(*seen.hits, frame.sensor, widestEnd(heightOf(frame.clusters[at.cluster])),
                  options.measurement.fit);
