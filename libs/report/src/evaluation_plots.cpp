@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "degrees.h"
 #include "vdamf/evaluation/chi_square.h"
 #include "vdamf/evaluation/statistics.h"
 
@@ -11,7 +12,6 @@ namespace vdamf
 {
 namespace
 {
-constexpr double kDegrees = 180.0 / kPi;
 const Axis kShareOfPairs = {"share of pairs", AxisScale::Linear, 0.0, 1.0};
 
 template <class Member>

@@ -4,14 +4,14 @@
 #include <utility>
 #include <vector>
 
+#include "degrees.h"
 #include "text_table.h"
 
 namespace vdamf
 {
 namespace
 {
-constexpr std::size_t kColumns = 80;
-constexpr double kDegrees = 180.0 / kPi;
+constexpr std::size_t kLineLength = 80;
 
 std::string countText(std::size_t count)
 {
@@ -145,7 +145,7 @@ std::string allGroupsText(const Evaluation& e)
 std::string consistencyLine(const char* name, const Consistency& c)
 {
     constexpr std::size_t kIndent = 20;
-    return "  " + leftCell(name, kIndent - 2) + wrapped(inWords(c), kIndent, kColumns) + "\n";
+    return "  " + leftCell(name, kIndent - 2) + wrapped(inWords(c), kIndent, kLineLength) + "\n";
 }
 
 std::string consistencyText(const ConsistencyReport& c)
