@@ -13,7 +13,7 @@ namespace vdamf
 namespace
 {
 constexpr double kSureOfOutgrown = 0.5;  // m; vaguer targets do not tell where to cut
-constexpr std::size_t kLeastHits = 5;  // on a vehicle, and off it
+constexpr std::size_t kLeastHits = 5;    // on a vehicle, and off it
 
 std::vector<PredictedTarget> knownAmong(const std::vector<PredictedTarget>& targets)
 {
