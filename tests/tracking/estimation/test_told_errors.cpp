@@ -139,6 +139,22 @@ TEST(ToldErrors, DoNotTouchWhatIsHidden)
     EXPECT_GE(smallestEigenvalue(told), 0.0);
 }
 
+TEST(ToldErrors, OfLongVehiclesGrowWithTheLength)
+{
+    const VisibilityOptions options;
+    EXPECT_DOUBLE_EQ(lastingLength(4.5, options), options.lastingSize);
+    EXPECT_NEAR(lastingLength(25.0, options), 0.5, 1e-9);
+    // Half of it is the centre's, along.
+    VehicleState tram = standing(rearEndAhead(), 0.01);
+    const Eigen::Matrix4d asACar = toldCovariance(tram, ToldErrors{}, options);
+    tram.mean(kLength) = 25.0;
+    const Eigen::Matrix4d more = toldCovariance(tram, ToldErrors{}, options) - asACar;
+    const Eigen::Vector2d along = rotation(kTowards).col(0);
+    const Eigen::Vector2d across = rotation(kTowards).col(1);
+    EXPECT_NEAR(along.dot(more.topLeftCorner<2, 2>() * along), 0.25 * (0.25 - 0.01), 1e-6);
+    EXPECT_NEAR(across.dot(more.topLeftCorner<2, 2>() * across), 0.0, 1e-6);
+}
+
 TEST(ToldErrors, OfANewTrackAreItsStates)
 {
     const VehicleState s = standing(rearEndAhead(), 0.5);

@@ -143,7 +143,7 @@ TEST(ClusterPoints, DropsSmallAndLongOnes)
 
 TEST(ClusterHits, KeepsHitsOfGroupsTooSmall)
 {
-    Hits hits;
+    HitFrame hits;
     hits.addRow(10.0, -20.0, 4, 1.0, 0.0);
     hits.addRow(10.0, -10.0, 5, 1.0, 0.0);
     hits.add(10.0, 5.0, 0.7);  // alone

@@ -55,6 +55,12 @@ ToldErrors toldErrors(const BoxMeasurement& measurement, const JitterShares& sha
     return errors;
 }
 
+double lastingLength(double length, const VisibilityOptions& options)
+{
+    constexpr double kTaper = 0.02;
+    return std::max(options.lastingSize, kTaper * length);
+}
+
 Eigen::Matrix4d toldCovariance(const VehicleState& state, const ToldErrors& errors,
                                const VisibilityOptions& options)
 {
@@ -72,7 +78,7 @@ Eigen::Matrix4d toldCovariance(const VehicleState& state, const ToldErrors& erro
     // The centre errs by half of what the length does, and of what the width does where it is held
     // at a side.
     const Eigen::Matrix2d axes = rotation(state.mean(kHeading));
-    const Eigen::Vector2d bySize(0.25 * std::pow(options.lastingSize, 2),
+    const Eigen::Vector2d bySize(0.25 * std::pow(lastingLength(state.mean(kLength), options), 2),
                                  0.25 * std::pow(errors.fixedPoint.y(), 2) * state.widthVariance);
     covariance.topLeftCorner<2, 2>() += axes * bySize.asDiagonal() * axes.transpose();
     covariance.topLeftCorner<3, 3>() += errors.lasting;

@@ -77,9 +77,9 @@ TrackReport reportOf(const Track& track, const OrientedBox& extent,
     report.forwardProbability = track.front.forwardProbability();
     report.type = track.type;
     report.covariance = toldCovariance(track.state, track.errors, options);
-    const double size = std::pow(options.lastingSize, 2);
-    report.lengthVariance = track.state.covariance(kLength, kLength) + size;
-    report.widthVariance = track.state.widthVariance + size;
+    report.lengthVariance = track.state.covariance(kLength, kLength) +
+                            std::pow(lastingLength(track.state.mean(kLength), options), 2);
+    report.widthVariance = track.state.widthVariance + std::pow(options.lastingSize, 2);
     report.points = track.hits;
     if (track.measurement)
     {

@@ -29,6 +29,10 @@ struct ToldErrors
 ToldErrors toldErrors(const BoxMeasurement& measurement, const JitterShares& shares,
                       double repeats);
 
+/// Error of a length (m) that frames do not average out: ends of buses and trams are tapered and
+/// out of view, the more the longer they are; of cars it is what the options say.
+double lastingLength(double length, const VisibilityOptions& options);
+
 /// Covariance of (x, y, heading, speed) with those errors.
 Eigen::Matrix4d toldCovariance(const VehicleState& state, const ToldErrors& errors,
                                const VisibilityOptions& options);

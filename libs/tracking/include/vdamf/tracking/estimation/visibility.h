@@ -64,7 +64,8 @@ struct VisibilityOptions
               "error of the position that lasts as long as the view: frames do not average it out, "
               "so it is added to the covariance that is told, and not to the filter's");
         field(self.lastingHeading, "lasting_heading_deg", 0.0, 30.0, "the same of the heading");
-        field(self.lastingSize, "lasting_size_m", 0.0, 2.0, "the same of length and width");
+        field(self.lastingSize, "lasting_size_m", 0.0, 2.0,
+              "the same of length and width; at least a fiftieth of a length");
         field(self.assumeVehicleSize, "assume_vehicle_size",
               "sizes start from a car's where a seen end or side fits a car");
         field(self.carLength, "car_length_m", 2.0, 8.0, "length of an assumed car");
