@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "held_inputs.h"
+#include "estimation/held_inputs.h"
 #include "vdamf/tracking/estimation/motion_model.h"
 
 namespace vdamf

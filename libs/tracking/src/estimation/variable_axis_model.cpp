@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "held_inputs.h"
+#include "estimation/held_inputs.h"
 
 namespace vdamf
 {
