@@ -142,8 +142,14 @@ TEST(ToldErrors, DoNotTouchWhatIsHidden)
 TEST(ToldErrors, OfLongVehiclesGrowWithTheLength)
 {
     const VisibilityOptions options;
-    EXPECT_DOUBLE_EQ(lastingLength(4.5, options), options.lastingSize);
-    EXPECT_NEAR(lastingLength(25.0, options), 0.5, 1e-9);
+    const auto lasting = [&](double length)
+    {
+        VehicleState s = standing(rearEndAhead(), 0.3);
+        s.mean(kLength) = length;
+        return std::sqrt(toldLengthVariance(s, ToldErrors{}, options) - 0.09);
+    };
+    EXPECT_NEAR(lasting(4.5), options.lastingSize, 1e-9);
+    EXPECT_NEAR(lasting(25.0), 0.5, 1e-9);
     // Half of it is the centre's, along.
     VehicleState tram = standing(rearEndAhead(), 0.01);
     const Eigen::Matrix4d asACar = toldCovariance(tram, ToldErrors{}, options);
@@ -153,6 +159,26 @@ TEST(ToldErrors, OfLongVehiclesGrowWithTheLength)
     const Eigen::Vector2d across = rotation(kTowards).col(1);
     EXPECT_NEAR(along.dot(more.topLeftCorner<2, 2>() * along), 0.25 * (0.25 - 0.01), 1e-6);
     EXPECT_NEAR(across.dot(more.topLeftCorner<2, 2>() * across), 0.0, 1e-6);
+}
+
+TEST(ToldErrors, OfAFarEndSeenAgainAreThoseOfOneFrame)
+{
+    const VisibilityOptions options;
+    const double lasting = options.lastingSize * options.lastingSize;
+    BoxMeasurement m = rearEndAhead();
+    m.covariance(3, 3) -= 100.0 - 0.04;  // with a side in view
+    const VehicleState s = standing(m, 0.05);
+    const auto variance = [&](double repeats)
+    { return toldLengthVariance(s, toldErrors(m, JitterShares(), repeats), options) - lasting; };
+    EXPECT_NEAR(variance(0.0), 0.0025, 1e-9);
+    EXPECT_NEAR(variance(1.0), m.covariance(3, 3), 1e-9);
+    // Of an end alone no frame tells the length.
+    const ToldErrors unseen = toldErrors(rearEndAhead(), JitterShares(), 1.0);
+    EXPECT_NEAR(toldLengthVariance(s, unseen, options) - lasting, 0.0025, 1e-9);
+    // It stays as it was while the next frames show no far end.
+    const ToldErrors before = toldErrors(m, JitterShares(), 1.0);
+    const ToldErrors after = toldErrors(rearEndAhead(), JitterShares(), 1.0, before);
+    EXPECT_DOUBLE_EQ(after.repeatedLength, before.repeatedLength);
 }
 
 TEST(ToldErrors, OfANewTrackAreItsStates)

@@ -30,9 +30,12 @@ Eigen::Vector4d lackingOf(const Eigen::Matrix3d& lasting, const VisibilityOption
 // How far hits that come again may turn a box, rad: as an end alone does. What tells less of the
 // heading hardly moves the filter.
 constexpr double kMostTurned = 1.5 * kPi / 180.0;
+
+constexpr double kMostOfLength = 1.0;  // m^2: what is vaguer tells no length
 }  // namespace
 
-ToldErrors toldErrors(const BoxMeasurement& measurement, const JitterShares& shares, double repeats)
+ToldErrors toldErrors(const BoxMeasurement& measurement, const JitterShares& shares, double repeats,
+                      const ToldErrors& before)
 {
     const Matrix5d whole = covarianceAtFixedPoint(measurement);
     const Matrix5d filters = covarianceAtFixedPoint(withJitterAlone(measurement, shares));
@@ -51,14 +54,18 @@ ToldErrors toldErrors(const BoxMeasurement& measurement, const JitterShares& sha
     // And they turn the box alike.
     const double turned = std::min(1.0, kMostTurned * kMostTurned / whole(2, 2));
     lasting(2) += repeats * std::max(0.0, turned - lasting(2));
+    const bool tellsLength = whole(3, 3) < kMostOfLength;
+    errors.repeatedLength = repeats * (tellsLength ? whole(3, 3) : before.repeatedLength);
     errors.lasting = scaled(measurement, whole, lasting.cwiseSqrt(), 0.0).topLeftCorner<3, 3>();
     return errors;
 }
 
-double lastingLength(double length, const VisibilityOptions& options)
+double toldLengthVariance(const VehicleState& state, const ToldErrors& errors,
+                          const VisibilityOptions& options)
 {
-    constexpr double kTaper = 0.02;
-    return std::max(options.lastingSize, kTaper * length);
+    constexpr double kTaper = 0.02;  // of the length
+    const double lasting = std::max(options.lastingSize, kTaper * state.mean(kLength));
+    return std::max(state.covariance(kLength, kLength), errors.repeatedLength) + lasting * lasting;
 }
 
 Eigen::Matrix4d toldCovariance(const VehicleState& state, const ToldErrors& errors,
@@ -78,7 +85,9 @@ Eigen::Matrix4d toldCovariance(const VehicleState& state, const ToldErrors& erro
     // The centre errs by half of what the length does, and of what the width does where it is held
     // at a side.
     const Eigen::Matrix2d axes = rotation(state.mean(kHeading));
-    const Eigen::Vector2d bySize(0.25 * std::pow(lastingLength(state.mean(kLength), options), 2),
+    const double ofLength =
+        toldLengthVariance(state, errors, options) - state.covariance(kLength, kLength);
+    const Eigen::Vector2d bySize(0.25 * ofLength,
                                  0.25 * std::pow(errors.fixedPoint.y(), 2) * state.widthVariance);
     covariance.topLeftCorner<2, 2>() += axes * bySize.asDiagonal() * axes.transpose();
     covariance.topLeftCorner<3, 3>() += errors.lasting;

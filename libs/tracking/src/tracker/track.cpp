@@ -77,8 +77,7 @@ TrackReport reportOf(const Track& track, const OrientedBox& extent,
     report.forwardProbability = track.front.forwardProbability();
     report.type = track.type;
     report.covariance = toldCovariance(track.state, track.errors, options);
-    report.lengthVariance = track.state.covariance(kLength, kLength) +
-                            std::pow(lastingLength(track.state.mean(kLength), options), 2);
+    report.lengthVariance = toldLengthVariance(track.state, track.errors, options);
     report.widthVariance = track.state.widthVariance + std::pow(options.lastingSize, 2);
     report.points = track.hits;
     if (track.measurement)

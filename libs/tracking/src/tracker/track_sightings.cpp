@@ -170,7 +170,7 @@ Track updatedBy(const BoxMeasurement& box, Track track, const Measurement& m,
     if (track.sightings == track.startedAt)
         hypotheses.forEach([](VehicleState& state) { state = withUsualCurvature(state); });
     track.lastingError = lastingError(box, jitter);
-    track.errors = toldErrors(box, track.jitter, repeatedHits(track));
+    track.errors = toldErrors(box, track.jitter, repeatedHits(track), track.errors);
     return track;
 }
 }  // namespace

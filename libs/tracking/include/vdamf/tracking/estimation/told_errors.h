@@ -22,16 +22,20 @@ struct ToldErrors
     Eigen::Vector3d ofFilters = Eigen::Vector3d::Ones();
     /// What no frames average out: covariance of (x, y, heading) at the box's centre, m and rad.
     Eigen::Matrix3d lasting = Eigen::Matrix3d::Zero();
+    /// Variance of the length in a frame, as far as all frames have the same error, m^2.
+    double repeatedLength = 0.0;
 };
 
 /// `repeats`: probability that the frames so far show the same hits again, so that all of the
-/// heading's error (up to 1.5 degrees) lasts and none of it is seen.
-ToldErrors toldErrors(const BoxMeasurement& measurement, const JitterShares& shares,
-                      double repeats);
+/// heading's error (up to 1.5 degrees) and of a far end's lasts and none of it is seen. `before`:
+/// of the frame before, for a far end that this one does not show.
+ToldErrors toldErrors(const BoxMeasurement& measurement, const JitterShares& shares, double repeats,
+                      const ToldErrors& before = {});
 
-/// Error of a length (m) that frames do not average out: ends of buses and trams are tapered and
-/// out of view, the more the longer they are; of cars it is what the options say.
-double lastingLength(double length, const VisibilityOptions& options);
+/// Variance of the length with those errors, m^2. Ends of buses and trams are tapered and out of
+/// view, the more the longer they are.
+double toldLengthVariance(const VehicleState& state, const ToldErrors& errors,
+                          const VisibilityOptions& options);
 
 /// Covariance of (x, y, heading, speed) with those errors.
 Eigen::Matrix4d toldCovariance(const VehicleState& state, const ToldErrors& errors,
