@@ -12,7 +12,6 @@ namespace vdamf
 {
 namespace
 {
-
 // The outline of two faces of a box, 5 cm from point to point.
 PlanePoints twoFaces(const OrientedBox& box)
 {

@@ -12,7 +12,6 @@ namespace vdamf
 {
 namespace
 {
-
 // Seen from the origin: back and right.
 LabelledCluster exampleSample()
 {

@@ -17,7 +17,6 @@ namespace vdamf
 {
 namespace
 {
-
 constexpr double kScanTime = 1.5e9 + 0.25;
 
 struct Sensor

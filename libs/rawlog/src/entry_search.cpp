@@ -10,7 +10,6 @@ namespace vdamf
 {
 namespace
 {
-
 // The next place from which the name of an entry's class, or one that begins with `initial`, may
 // follow in one of the two forms of a header: all that is asked of most bytes of a hole. Near the
 // end of the bytes every place may be one.

@@ -10,7 +10,6 @@ namespace vdamf
 {
 namespace
 {
-
 // -15, 1, -13, 3, ..., -1, 15 degrees (VLP-16 user manual).
 std::vector<double> elevationsVlp16()
 {

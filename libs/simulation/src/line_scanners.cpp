@@ -9,7 +9,6 @@ namespace vdamf
 {
 namespace
 {
-
 SpinningLadar lineScanner(double fieldOfView, double resolution, double rate)
 {
     SpinningLadar ladar;

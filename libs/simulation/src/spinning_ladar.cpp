@@ -14,7 +14,6 @@ namespace vdamf
 {
 namespace
 {
-
 std::vector<double> delays(std::size_t lasers, double step)
 {
     std::vector<double> result;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <utility>
 
 #include "preprocessing/disjoint_sets.h"
 #include "preprocessing/plane_cells.h"
@@ -14,7 +15,6 @@ namespace vdamf
 {
 namespace
 {
-
 // By cell: how far its cluster goes on from it.
 struct Reaches
 {
@@ -128,13 +128,13 @@ struct Group
     float extent() const { return std::hypot(maxX - minX, maxY - minY); }
 };
 
-constexpr std::uint32_t kLoose = PlaneCells::kNone - 1;
+constexpr std::uint32_t kLoose = 0;  // the number of all groups too small for a cluster
 
-// By cell; all cells of a group name the same cluster, kLoose, or PlaneCells::kNone.
+// By cell; all cells of a group have the same number, or PlaneCells::kNone.
 struct ClusterOfCell
 {
     std::vector<std::uint32_t> cluster;
-    std::vector<std::uint32_t> hits;  // by cluster
+    std::vector<std::uint32_t> hits{0};  // by number, those of kLoose first
 };
 
 ClusterOfCell numberClusters(const PlaneCells& cells, DisjointSets& sets,
@@ -150,7 +150,10 @@ ClusterOfCell numberClusters(const PlaneCells& cells, DisjointSets& sets,
         const std::uint32_t root = sets.root(n);  // n itself, or a cell before it
         Group& group = groups[root];
         if (root == n && group.hits < static_cast<std::uint32_t>(options.minPoints))
+        {
             group.cluster = kLoose;
+            numbers.hits[kLoose] += group.hits;
+        }
         else if (root == n && group.extent() <= static_cast<float>(options.maxExtent))
         {
             group.cluster = static_cast<std::uint32_t>(numbers.hits.size());
@@ -159,15 +162,6 @@ ClusterOfCell numberClusters(const PlaneCells& cells, DisjointSets& sets,
         numbers.cluster.push_back(group.cluster);
     }
     return numbers;
-}
-
-void appendPoint(Cluster& to, const PointCloud& points, std::size_t i, float height)
-{
-    to.x.push_back(points.x[i]);
-    to.y.push_back(points.y[i]);
-    to.z.push_back(points.z[i]);
-    to.height.push_back(height);
-    if (!points.time.empty()) to.time.push_back(points.time[i]);
 }
 
 // Where the next hit of a cluster goes.
@@ -179,9 +173,7 @@ struct Place
 ClusteredHits gather(const LadarFrame& frame, const AboveGround& above,
                      const std::vector<std::uint32_t>& cellOfHit, const ClusterOfCell& numbers)
 {
-    ClusteredHits all;
-    std::vector<Cluster>& clusters = all.clusters;
-    clusters.resize(numbers.hits.size());
+    std::vector<Cluster> clusters(numbers.hits.size());
     std::vector<Place> places;
     places.reserve(clusters.size());
     for (std::size_t i = 0; i < clusters.size(); ++i)
@@ -197,11 +189,6 @@ ClusteredHits gather(const LadarFrame& frame, const AboveGround& above,
         const std::uint32_t to = numbers.cluster[cellOfHit[i]];
         if (to == PlaneCells::kNone) continue;
         const std::size_t from = above.index[i];
-        if (to == kLoose)
-        {
-            appendPoint(all.loose, frame.points, from, above.height[i]);
-            continue;
-        }
         Place& place = places[to];
         *place.x++ = frame.points.x[from];
         *place.y++ = frame.points.y[from];
@@ -209,7 +196,9 @@ ClusteredHits gather(const LadarFrame& frame, const AboveGround& above,
         *place.height++ = above.height[i];
         if (timed) clusters[to].time.push_back(frame.points.time[from]);
     }
-    return all;
+    Cluster loose = std::move(clusters.front());
+    clusters.erase(clusters.begin());
+    return {std::move(clusters), std::move(loose)};
 }
 }  // namespace
 
