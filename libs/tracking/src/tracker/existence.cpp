@@ -105,10 +105,13 @@ Track withConfirmation(Track track, const LifecycleOptions& options)
 {
     // What may still be across is waited for, but not for long: two-wheelers never tell.
     constexpr int kPatience = 4;  // sightings
+    constexpr double kStill = 1.0;  // m/s
     const int sightings = track.sightings - track.startedAt + 1;
     const double speedSigma = std::sqrt(track.state.covariance(kSpeed, kSpeed));
+    const double fastest = std::abs(track.state.mean(kSpeed)) + 2.0 * speedSigma;
     const bool isVague = track.front.axesProbability() < options.confirmAxes ||
-                         speedSigma > options.confirmSpeedSigma;
+                         speedSigma > options.confirmSpeedSigma ||
+                         (fastest > kStill && track.front.forwardProbability() < options.confirmAxes);
     const int enough = options.confirmHits + (isVague ? kPatience : 0);
     if (track.status == TrackStatus::Coasting || sightings >= enough)
         track.status = TrackStatus::Confirmed;
