@@ -60,21 +60,23 @@ bool standsWithKnownLength(const Track& track)
     return track.hypotheses->standingProbability >= 0.5 && track.told.length;
 }
 
-// Of what stands, of known size, and goes out of sight the last hits are on any part of it, and
-// where they are expected: they tell that it is there, and not where its faces are.
+// Of what has a known length and goes out of sight the last hits are on any part of it, and where
+// they are expected: they tell that it is there, and not where its faces are.
 bool isLastGlimpse(const Track& track, const Sighting& sighting, double margin)
 {
     constexpr double kPart = 0.25;   // of the length
     constexpr double kTurned = 0.2;  // rad
-    if (!standsWithKnownLength(track)) return false;
+    const Measurement& m = sighting.measurement;
+    if (!track.told.length) return false;
+    // What stands does not turn either: hits on a corner alone may seem to.
+    const double turned =
+        std::abs(std::remainder(m.box.heading - track.state.mean(kHeading), 0.5 * kPi));
+    const bool showsFaces = standsWithKnownLength(track)
+                                ? turned <= kTurned && m.hiddenEnds.empty()
+                                : !m.facesSeen.empty();
     const bool isPart =
         std::hypot(sighting.around.length, sighting.around.width) < kPart * track.box().length;
-    // What stands does not turn either: hits on a corner alone may seem to.
-    const bool turned =
-        std::abs(std::remainder(sighting.measurement.box.heading - track.state.mean(kHeading),
-                                0.5 * kPi)) > kTurned;
-    return isPart && (turned || !sighting.measurement.hiddenEnds.empty()) &&
-           isWithin(sighting.around, track.box(), margin);
+    return isPart && !showsFaces && isWithin(sighting.around, track.box(), margin);
 }
 
 // A car whose length was never seen is taken for a longer one as more of its end comes into view.
