@@ -12,7 +12,7 @@ namespace
 constexpr double kFalseHits = 0.35;  // probability that something else has hits there
 constexpr double kSurest = 0.99;     // no row of hits is more: vehicles do leave
 constexpr double kSlack = 0.5;       // m before and behind a box that count as in it
-constexpr double kVaguest = 3.0;     // m, of its position: about a lane
+constexpr double kVaguest = 4.5;     // m, of its position: about a lane
 
 double oddsOf(double probability)
 {
