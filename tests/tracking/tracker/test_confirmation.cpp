@@ -26,6 +26,8 @@ Sighting rearAt(double time, double width, double along = 0.0)
     return s;
 }
 
+constexpr double kDriven = 8.0;  // m/s
+
 class Confirmation : public ::testing::Test
 {
 protected:
@@ -39,6 +41,22 @@ protected:
                       sightedTrack(std::move(track_), sighting, 0.0, filter_, options_),
                       options_.lifecycle)
                 : startedTrack(1, sighting, {0.0, options_.lifecycle.startSpeedSigma}, options_);
+    }
+
+    // Sightings of what drives ahead (m/s), seen so well (m along its path).
+    int seenUntilConfirmed(double sigma, double speed)
+    {
+        track_ = {};
+        while (track_.status == TrackStatus::Tentative && track_.sightings < 50)
+        {
+            const double time = 0.1 * track_.sightings;
+            Sighting s = rearAt(time, 1.8);
+            s.measurement.box.x += speed * time;
+            s.around.x += speed * time;
+            s.measurement.covariance(0, 0) = s.measurement.covariance(3, 3) = sigma * sigma;
+            see(s);
+        }
+        return track_.sightings;
     }
 
     // Modulo half a turn, rad.
@@ -68,31 +86,32 @@ TEST_F(Confirmation, WaitsForAWhileWhereAxesAreUndecided)
 
 TEST_F(Confirmation, WaitsForAWhileWhereTheSpeedIsNotKnown)
 {
-    const auto seenWithin = [this](double metres)
-    {
-        track_ = {};
-        while (track_.status == TrackStatus::Tentative && track_.sightings < 50)
-        {
-            Sighting s = rearAt(0.1 * track_.sightings, 1.8);
-            s.measurement.covariance(0, 0) = metres * metres;
-            see(s);
-        }
-        return track_.sightings;
-    };
-    EXPECT_EQ(seenWithin(0.03), 4);
+    EXPECT_EQ(seenUntilConfirmed(0.03, kDriven), 3);
     EXPECT_LT(track_.state.covariance(kSpeed, kSpeed), 4.0);
-    EXPECT_GT(seenWithin(1.0), 4);
+    EXPECT_GT(seenUntilConfirmed(1.0, kDriven), 3);
     EXPECT_LE(track_.sightings, 7);
+}
+
+TEST_F(Confirmation, WaitsForAWhileWhereWhatMayBeMovingMayDriveEitherWay)
+{
+    options_.lifecycle.confirmSpeedSigma = 40.0;
+    EXPECT_EQ(seenUntilConfirmed(0.03, kDriven), 3);
+    EXPECT_GT(track_.front.forwardProbability(), 0.9);
+    EXPECT_GT(seenUntilConfirmed(0.5, 0.0), 3);
+    EXPECT_LE(track_.sightings, 7);
+    // What stands for sure never shows which way it drives.
+    EXPECT_EQ(seenUntilConfirmed(0.03, 0.0), 3);
+    EXPECT_NEAR(track_.front.forwardProbability(), 0.5, 0.1);
 }
 
 TEST_F(Confirmation, BeginsAnewWhereAxesAreExchanged)
 {
-    for (const double time : {0.0, 0.1, 0.2, 0.3}) see(rearAt(time, 1.8));
+    int k = 0;
+    for (; k < 7; ++k) see(rearAt(0.1 * k, 1.8));
     ASSERT_EQ(track_.status, TrackStatus::Confirmed);
     ASSERT_LT(heading(), 0.2);
     // No car is so wide.
-    int k = 4;
-    for (; heading() < 0.2 && k < 10; ++k) see(rearAt(0.1 * k, 4.0));
+    for (; heading() < 0.2 && k < 13; ++k) see(rearAt(0.1 * k, 4.0));
     ASSERT_GT(heading(), 1.3);
     EXPECT_EQ(track_.status, TrackStatus::Tentative);
     EXPECT_EQ(track_.startedAt, track_.sightings);
@@ -114,9 +133,9 @@ TEST_F(Confirmation, IsKeptWhereTheCourseToldThatAxesAreExchanged)
 {
     // It stands, and then slides along what is taken for its width: that is its length.
     int k = 0;
-    for (; k < 5; ++k) see(rearAt(0.1 * k, 1.8));
+    for (; k < 7; ++k) see(rearAt(0.1 * k, 1.8));
     ASSERT_EQ(track_.status, TrackStatus::Confirmed);
-    for (; heading() < 0.2 && k < 30; ++k) see(rearAt(0.1 * k, 1.8, 0.6 * (k - 4)));
+    for (; heading() < 0.2 && k < 30; ++k) see(rearAt(0.1 * k, 1.8, 0.6 * (k - 6)));
     ASSERT_GT(heading(), 1.3);
     EXPECT_EQ(track_.status, TrackStatus::Confirmed);
     EXPECT_NEAR(std::abs(track_.state.mean(kSpeed)), 6.0, 1.0);

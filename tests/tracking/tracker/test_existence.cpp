@@ -105,7 +105,7 @@ TEST(Existence, HiddenOnesCoastAsLongAsTheyMay)
     EXPECT_NEAR(0.1 * track.misses, options.maxCoast, 0.11);
 }
 
-TEST(Existence, HiddenOnesEndOnceTheyMayBeALaneOff)
+TEST(Existence, HiddenOnesEndOnceTheyMayBeALaneAndAHalfOff)
 {
     const RangeProfile wall = profileWith(kPi, 9.0F);
     const auto statusWith = [&](double sigma)
@@ -115,8 +115,8 @@ TEST(Existence, HiddenOnesEndOnceTheyMayBeALaneOff)
         return withMiss(track, {0.1, {0.0, 0.0}, wall, FieldOfView(groundAround())}, true, {})
             .status;
     };
-    EXPECT_EQ(statusWith(2.9), TrackStatus::Coasting);
-    EXPECT_EQ(statusWith(3.1), TrackStatus::Ended);
+    EXPECT_EQ(statusWith(4.4), TrackStatus::Coasting);
+    EXPECT_EQ(statusWith(4.6), TrackStatus::Ended);
 }
 
 TEST(Existence, WhatMayHaveStoppedBehindAWallIsHidden)

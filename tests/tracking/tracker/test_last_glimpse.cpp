@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the last hits of a parked car say that goes out of sight.
+// What the last hits of a car say that goes out of sight.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -101,6 +101,59 @@ TEST(LastGlimpse, OfAParkedCarRowsThatAreCutShortDoNotMoveIt)
     mayMove.hypotheses->standingProbability = 0.3;
     const Track moved = sightedTrack(mayMove, cut, 0.0, filter, options);
     EXPECT_LT(moved.box().x, after.box().x - 0.03);
+}
+
+Sighting moved(Sighting sighting, double metres)
+{
+    sighting.measurement.box.x += metres;
+    sighting.around.x += metres;
+    return sighting;
+}
+
+constexpr double kDriven = 6.0;  // m/s
+
+// Ahead, for two seconds; its next sighting is due at 2.1 s.
+Track drivenOn(VehicleKalmanFilter& filter)
+{
+    const TrackerOptions options;
+    Track track = startedTrack(1, wholeAt(0.0), {0.0, options.lifecycle.startSpeedSigma}, options);
+    for (int k = 1; k <= 20; ++k)
+    {
+        const double time = 0.1 * k;
+        track = predictedTrack(std::move(track), 0.1, {0.0, 0.0}, filter, options.motion);
+        track = sightedTrack(std::move(track), moved(wholeAt(time), kDriven * time), 0.0, filter,
+                             options);
+    }
+    return predictedTrack(std::move(track), 0.1, {0.0, 0.0}, filter, options.motion);
+}
+
+TEST(LastGlimpse, OfAMovingCarThatShowsNoFaceLeavesItsPose)
+{
+    const TrackerOptions options;
+    VehicleKalmanFilter filter{options.motion};
+    const Track track = drivenOn(filter);
+    ASSERT_LT(track.hypotheses->standingProbability, 0.5);
+    Sighting glimpse = moved(glimpseAt(2.1), kDriven * 2.1);
+    const Track withFace = sightedTrack(track, glimpse, 0.0, filter, options);
+    EXPECT_NE(withFace.state.mean, track.state.mean);
+    glimpse.measurement.facesSeen = {};
+    glimpse.measurement.hiddenEnds = {};
+    const Track after = sightedTrack(track, glimpse, 0.0, filter, options);
+    EXPECT_EQ(after.state.mean, track.state.mean);
+    EXPECT_EQ(after.lastSeen, 2.1);
+}
+
+TEST(LastGlimpse, OfAMovingCarThatSeemsToTurnAtOnceLeavesItsPose)
+{
+    const TrackerOptions options;
+    VehicleKalmanFilter filter{options.motion};
+    Track track = drivenOn(filter);
+    Sighting glimpse = moved(glimpseAt(2.1), kDriven * 2.1);
+    glimpse.measurement.box.heading = -0.7;
+    EXPECT_EQ(sightedTrack(track, glimpse, 0.0, filter, options).state.mean, track.state.mean);
+    // Unless it may have turned so far since it was seen.
+    track.state.covariance(kHeading, kHeading) = 0.2 * 0.2;
+    EXPECT_NE(sightedTrack(track, glimpse, 0.0, filter, options).state.mean, track.state.mean);
 }
 
 }  // namespace

@@ -9,11 +9,28 @@
 
 namespace vdamf
 {
+namespace
+{
+// A turn that nobody sees may have ended: those of lane changes do so soon, those of junctions are
+// tighter and last longer.
+VehicleState straightened(VehicleState state, double dt)
+{
+    constexpr double kSwerveTime = 0.7;  // s
+    constexpr double kTurnTime = 2.0;    // s
+    constexpr double kTightTurn = 0.05;  // 1/m
+    double& curvature = state.mean(kCurvature);
+    const double tightness = std::min(1.0, std::abs(curvature) / kTightTurn);
+    const double goesOn = std::exp(-dt / (kSwerveTime + tightness * (kTurnTime - kSwerveTime)));
+    state.covariance(kCurvature, kCurvature) += goesOn * (1.0 - goesOn) * curvature * curvature;
+    curvature *= goesOn;
+    return state;
+}
+}  // namespace
+
 MotionHypotheses unseen(const MotionHypotheses& hypotheses, double dt)
 {
-    constexpr double kTurnTime = 0.7;  // s
     MotionHypotheses next = hypotheses;
-    for (VehicleState& state : next.driving) state.mean(kCurvature) *= std::exp(-dt / kTurnTime);
+    for (VehicleState& state : next.driving) state = straightened(std::move(state), dt);
     const double stood = hypotheses.standingProbability;
     if (stood < 0.5) return next;
     const double setsOff = stood * (1.0 - std::exp(-dt / kRestTime));

@@ -12,7 +12,7 @@ namespace
 constexpr double kFalseHits = 0.35;  // probability that something else has hits there
 constexpr double kSurest = 0.99;     // no row of hits is more: vehicles do leave
 constexpr double kSlack = 0.5;       // m before and behind a box that count as in it
-constexpr double kVaguest = 4.5;     // m, of its position: about a lane
+constexpr double kVaguest = 4.5;     // m, of its position: a lane and a half
 
 double oddsOf(double probability)
 {
@@ -104,14 +104,15 @@ Track withHit(Track track, double time, const LifecycleOptions& options)
 Track withConfirmation(Track track, const LifecycleOptions& options)
 {
     // What may still be across is waited for, but not for long: two-wheelers never tell.
-    constexpr int kPatience = 4;  // sightings
+    constexpr int kPatience = 4;    // sightings
     constexpr double kStill = 1.0;  // m/s
     const int sightings = track.sightings - track.startedAt + 1;
     const double speedSigma = std::sqrt(track.state.covariance(kSpeed, kSpeed));
     const double fastest = std::abs(track.state.mean(kSpeed)) + 2.0 * speedSigma;
-    const bool isVague = track.front.axesProbability() < options.confirmAxes ||
-                         speedSigma > options.confirmSpeedSigma ||
-                         (fastest > kStill && track.front.forwardProbability() < options.confirmAxes);
+    const bool isVague =
+        track.front.axesProbability() < options.confirmAxes ||
+        speedSigma > options.confirmSpeedSigma ||
+        (fastest > kStill && track.front.forwardProbability() < options.confirmAxes);
     const int enough = options.confirmHits + (isVague ? kPatience : 0);
     if (track.status == TrackStatus::Coasting || sightings >= enough)
         track.status = TrackStatus::Confirmed;

@@ -61,19 +61,21 @@ bool standsWithKnownLength(const Track& track)
 }
 
 // Of what has a known length and goes out of sight the last hits are on any part of it, and where
-// they are expected: they tell that it is there, and not where its faces are.
+// they are expected: they tell that it is there, and not where its faces are. Hits on a corner
+// alone may seem to turn.
 bool isLastGlimpse(const Track& track, const Sighting& sighting, double margin)
 {
     constexpr double kPart = 0.25;   // of the length
-    constexpr double kTurned = 0.2;  // rad
+    constexpr double kTurned = 0.2;  // rad: nothing turns as much from one frame to the next
     const Measurement& m = sighting.measurement;
     if (!track.told.length) return false;
-    // What stands does not turn either: hits on a corner alone may seem to.
+    const bool stands = standsWithKnownLength(track);
     const double turned =
         std::abs(std::remainder(m.box.heading - track.state.mean(kHeading), 0.5 * kPi));
-    const bool showsFaces = standsWithKnownLength(track)
-                                ? turned <= kTurned && m.hiddenEnds.empty()
-                                : !m.facesSeen.empty();
+    const double mayTurn =
+        stands ? kTurned : kTurned + 3.0 * std::sqrt(track.state.covariance(kHeading, kHeading));
+    const bool showsFaces =
+        turned <= mayTurn && (stands ? m.hiddenEnds.empty() : !m.facesSeen.empty());
     const bool isPart =
         std::hypot(sighting.around.length, sighting.around.width) < kPart * track.box().length;
     return isPart && !showsFaces && isWithin(sighting.around, track.box(), margin);

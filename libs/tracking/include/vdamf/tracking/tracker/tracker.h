@@ -43,8 +43,9 @@ struct LifecycleOptions
               "largest diagonal of a cluster that starts a track");
         field(self.confirmHits, "confirm_hits", 1, 50, "measured frames that confirm a track");
         field(self.confirmAxes, "confirm_axes_probability", 0.0, 0.99,
-              "that length and width are not exchanged, from which a track is confirmed then; one "
-              "that is less certain waits for four more measured frames");
+              "that length and width are not exchanged, nor front and rear of what may be moving, "
+              "from which a track is confirmed then; one that is less certain waits for four more "
+              "measured frames");
         field(self.confirmSpeedSigma, "confirm_speed_sigma_mps", 0.1, 40.0,
               "standard deviation of a track's speed up to which it is confirmed then; one that is "
               "known less waits as long");
