@@ -116,6 +116,9 @@ TEST_F(Confirmation, BeginsAnewWhereAxesAreExchanged)
     EXPECT_EQ(track_.status, TrackStatus::Tentative);
     EXPECT_EQ(track_.startedAt, track_.sightings);
     EXPECT_EQ(track_.id, 1U);
+    // What was told of its width is told of its length.
+    EXPECT_TRUE(track_.told.length);
+    EXPECT_FALSE(track_.told.width);
 
     Sighting side = rearAt(0.0, 4.0);
     side.measurement = turnedBy(side.measurement, 1);

@@ -163,6 +163,7 @@ Track quarterTurned(const Track& track, const Sighting& sighting, int quarters,
     Track next = track;
     next.state = fresh.state;
     next.measurement = fresh.measurement;
+    next.told = fresh.told;
     next.errors = fresh.errors;
     next.around = fresh.around;
     next.assumedLength = fresh.assumedLength;
