@@ -28,7 +28,8 @@ double shareSeenThrough(const Track& track, const OpenView& view);
 /// The track after a frame of that time (s) with hits of it, whatever they told.
 Track withHit(Track track, double time, const LifecycleOptions& options);
 
-/// The track, confirmed once it was seen often enough for what is known of its axes and speed.
+/// The track, confirmed once it was seen often enough for what is known of its axes, its front and
+/// its speed.
 Track withConfirmation(Track track, const LifecycleOptions& options);
 
 /// The track after a frame without. It coasts, or ends: once it is likely not to be

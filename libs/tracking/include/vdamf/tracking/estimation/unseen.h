@@ -6,9 +6,9 @@
 
 namespace vdamf
 {
-/// The hypotheses after `dt` seconds without a sighting. Turns come to their end: it is likelier to
-/// go straight on than to keep turning in a circle. And what stood sets off from where it stood and
-/// from rest: a speed that the last hits feigned does not carry it away.
+/// The hypotheses after `dt` seconds without a sighting. Turns come to their end, sharp ones later:
+/// it is likelier to go straight on than to keep turning in a circle. And what stood sets off from
+/// where it stood and from rest: a speed that the last hits feigned does not carry it away.
 MotionHypotheses unseen(const MotionHypotheses& hypotheses, double dt);
 
 }  // namespace vdamf
