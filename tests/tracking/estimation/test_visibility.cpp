@@ -121,7 +121,7 @@ TEST(OpenToGrowth, LetsTheLengthFollowWithTheRearInPlace)
     const VehicleState before = known({20.0, 5.0, 0.0, 3.0, 1.8}, 0.1);
     const FaceSet corner = faces({Face::Back, Face::Right});
     const VehicleState open =
-        openToGrowth(before, measured({20.75, 5.0, 0.0, 4.5, 1.8}, corner), options);
+        openToGrowth(before, measured({20.75, 5.0, 0.0, 4.5, 1.8}, corner), false, options);
     EXPECT_NEAR(open.covariance(kLength, kLength), 0.01 + 1.5 * 1.5, 1e-9);
     // The rear is as certain as it was.
     StateVector rear = StateVector::Zero();
@@ -129,8 +129,28 @@ TEST(OpenToGrowth, LetsTheLengthFollowWithTheRearInPlace)
     rear(kLength) = -0.5;
     EXPECT_NEAR(rear.dot(open.covariance * rear), rear.dot(before.covariance * rear), 1e-9);
     const VehicleState same =
-        openToGrowth(before, measured({20.0, 5.0, 0.0, 3.1, 1.8}, corner), options);
+        openToGrowth(before, measured({20.0, 5.0, 0.0, 3.1, 1.8}, corner), false, options);
     EXPECT_EQ(same.covariance, before.covariance);
+}
+
+// The rear half of a side, its ends hidden: the hits reach a metre beyond the rear as it was known.
+TEST(OpenToGrowth, LetsTheLengthFollowHitsBeyondAHiddenEnd)
+{
+    const VisibilityOptions options;
+    const VehicleState before = known({20.0, 5.0, 0.0, 5.0, 1.8}, 0.5);
+    Measurement m = measured({18.5, 5.0, 0.0, 4.0, 1.8}, faces({Face::Right}));
+    m.hiddenEnds = faces({Face::Front, Face::Back});
+    const VehicleState open = openToGrowth(before, m, true, options);
+    EXPECT_NEAR(open.covariance(kLength, kLength), before.covariance(kLength, kLength) + 1.0, 1e-9);
+    // The front is as certain as it was.
+    StateVector front = StateVector::Zero();
+    front(kX) = 1.0;
+    front(kLength) = 0.5;
+    EXPECT_NEAR(front.dot(open.covariance * front), front.dot(before.covariance * front), 1e-9);
+    EXPECT_EQ(openToGrowth(before, m, false, options).covariance, before.covariance);
+    // Hits within it say nothing.
+    m.box.x = 19.6;
+    EXPECT_EQ(openToGrowth(before, m, true, options).covariance, before.covariance);
 }
 
 TEST(FaceErrors, OfWhatIsNotToldNeverMakeALengthKnown)

@@ -138,20 +138,26 @@ FaceErrors withShortRows(const FaceErrors& errors, const Measurement& m,
     return next;
 }
 
-VehicleState openToGrowth(const VehicleState& predicted, const Measurement& m,
+VehicleState openToGrowth(const VehicleState& predicted, const Measurement& m, bool mayBeLonger,
                           const VisibilityOptions& o)
 {
     VehicleState next = predicted;
     const FaceSet located = locatedFaces(m);
     for (int axis = 0; axis < 2; ++axis)
     {
-        const bool both = located.has(kFaceAt[axis][0]) && located.has(kFaceAt[axis][1]);
+        const bool has[2] = {located.has(kFaceAt[axis][0]), located.has(kFaceAt[axis][1])};
+        const auto grow = [&](int stays, double metres)
+        {
+            const StateVector growth = bySize(predicted, axis, signOfEnd(stays));
+            next.covariance += metres * metres * growth * growth.transpose();
+            if (axis == 1) next.widthVariance += metres * metres;
+        };
         const SizeChange change = sizeChange(m, predicted, axis, o);
-        if (!both || change.sigmas < kClear) continue;
-        const int stays = 1 - suspect(m, predicted, axis, 1.0);
-        const StateVector growth = bySize(predicted, axis, signOfEnd(stays));
-        next.covariance += change.metres * change.metres * growth * growth.transpose();
-        if (axis == 1) next.widthVariance += change.metres * change.metres;
+        if (has[0] && has[1] && change.sigmas >= kClear)
+            grow(1 - suspect(m, predicted, axis, 1.0), change.metres);
+        for (int end = 0; end < 2 && axis == 0 && mayBeLonger; ++end)
+            if (reachesBeyond(m, predicted, axis, end, has[1 - end], o))
+                grow(1 - end, outside(m.box, predicted.box(), axis, end));
     }
     return next;
 }

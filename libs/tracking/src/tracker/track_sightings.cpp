@@ -164,9 +164,12 @@ Track updatedBy(const BoxMeasurement& box, Track track, const Measurement& m,
     MotionHypotheses& hypotheses = *track.hypotheses;
     const JitterShares jitter = track.jitter;  // before this sighting
     track.nis = innovationOf(then, withJitterAlone(box, jitter)).nis();
+    // What was only assumed of what stands is no reason to take in what it stands beside.
+    const bool mayBeLonger = track.told.length || hypotheses.standingProbability < 0.5;
     hypotheses.forEach(
-        [&](VehicleState& state) {
-            state = openToGrowth(state, broughtTo(state, m, box.lag, options.motion),
+        [&](VehicleState& state)
+        {
+            state = openToGrowth(state, broughtTo(state, m, box.lag, options.motion), mayBeLonger,
                                  options.visibility);
         });
     track.jitter = jitter.after(then, box, dt);

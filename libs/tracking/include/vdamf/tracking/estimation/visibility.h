@@ -124,9 +124,10 @@ FaceErrors withShortRows(const FaceErrors& errors, const Measurement& measuremen
 
 /// The predicted state, less certain of its size where the measurement shows clearly more than it
 /// knew: hits never add to a vehicle, so the face that is ahead most is news. Speed is not touched:
-/// centre, axle and size move as that face does.
+/// centre, axle and size move as that face does. Where it `mayBeLonger`, hits beyond an
+/// end whose place is hidden are news as well.
 VehicleState openToGrowth(const VehicleState& predicted, const Measurement& measurement,
-                          const VisibilityOptions& options);
+                          bool mayBeLonger, const VisibilityOptions& options);
 
 /// What the faces say of the whole box: a face that is not told is where the `known` length and
 /// width put it, and counts for nothing; the other one is the fixed point. Covariance through the
