@@ -103,14 +103,14 @@ TEST(LastGlimpse, OfAParkedCarRowsThatAreCutShortDoNotMoveIt)
     EXPECT_LT(moved.box().x, after.box().x - 0.03);
 }
 
-Sighting moved(Sighting sighting, double metres)
+Sighting sightingMoved(Sighting sighting, double metres)
 {
     sighting.measurement.box.x += metres;
     sighting.around.x += metres;
     return sighting;
 }
 
-constexpr double kDriven = 6.0;  // m/s
+constexpr double kSpeedAhead = 6.0;  // m/s
 
 // Ahead, for two seconds; its next sighting is due at 2.1 s.
 Track drivenOn(VehicleKalmanFilter& filter)
@@ -121,8 +121,8 @@ Track drivenOn(VehicleKalmanFilter& filter)
     {
         const double time = 0.1 * k;
         track = predictedTrack(std::move(track), 0.1, {0.0, 0.0}, filter, options.motion);
-        track = sightedTrack(std::move(track), moved(wholeAt(time), kDriven * time), 0.0, filter,
-                             options);
+        track = sightedTrack(std::move(track), sightingMoved(wholeAt(time), kSpeedAhead * time),
+                             0.0, filter, options);
     }
     return predictedTrack(std::move(track), 0.1, {0.0, 0.0}, filter, options.motion);
 }
@@ -133,7 +133,7 @@ TEST(LastGlimpse, OfAMovingCarThatShowsNoFaceLeavesItsPose)
     VehicleKalmanFilter filter{options.motion};
     const Track track = drivenOn(filter);
     ASSERT_LT(track.hypotheses->standingProbability, 0.5);
-    Sighting glimpse = moved(glimpseAt(2.1), kDriven * 2.1);
+    Sighting glimpse = sightingMoved(glimpseAt(2.1), kSpeedAhead * 2.1);
     const Track withFace = sightedTrack(track, glimpse, 0.0, filter, options);
     EXPECT_NE(withFace.state.mean, track.state.mean);
     glimpse.measurement.facesSeen = {};
@@ -148,7 +148,7 @@ TEST(LastGlimpse, OfAMovingCarThatSeemsToTurnAtOnceLeavesItsPose)
     const TrackerOptions options;
     VehicleKalmanFilter filter{options.motion};
     Track track = drivenOn(filter);
-    Sighting glimpse = moved(glimpseAt(2.1), kDriven * 2.1);
+    Sighting glimpse = sightingMoved(glimpseAt(2.1), kSpeedAhead * 2.1);
     glimpse.measurement.box.heading = -0.7;
     EXPECT_EQ(sightedTrack(track, glimpse, 0.0, filter, options).state.mean, track.state.mean);
     // Unless it may have turned so far since it was seen.
