@@ -29,13 +29,15 @@ MotionHypotheses seemingly(double speed, double speedSigma, double standing)
 TEST(Unseen, WhatStoodSetsOffFromWhereItStood)
 {
     const MotionHypotheses all = unseen(seemingly(1.0, 0.5, 0.9), kFrame);
+    const MotionHypotheses moving = unseen(seemingly(1.0, 0.5, 0.1), kFrame);
+    const double steering = moving.driving.front().covariance(kCurvature, kCurvature);
     for (const VehicleState& driving : all.driving)
     {
         EXPECT_LT(driving.mean(kX), 11.5);
         EXPECT_LT(driving.mean(kSpeed), 0.7);
         // Where it has gone to is no surer.
         EXPECT_GT(driving.covariance(kX, kX), 0.5);
-        EXPECT_GE(driving.covariance(kCurvature, kCurvature), 2.5e-3);
+        EXPECT_EQ(driving.covariance(kCurvature, kCurvature), steering);
     }
 }
 

@@ -124,8 +124,8 @@ FaceErrors withShortRows(const FaceErrors& errors, const Measurement& measuremen
 
 /// The predicted state, less certain of its size where the measurement shows clearly more than it
 /// knew: hits never add to a vehicle, so the face that is ahead most is news. Speed is not touched:
-/// centre, axle and size move as that face does. Where it `mayBeLonger`, hits beyond an
-/// end whose place is hidden are news as well.
+/// centre, axle and size move as that face does. Where it `mayBeLonger`, hits beyond an end whose
+/// place is hidden are news as well.
 VehicleState openToGrowth(const VehicleState& predicted, const Measurement& measurement,
                           bool mayBeLonger, const VisibilityOptions& options);
 
