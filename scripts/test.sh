@@ -4,4 +4,4 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 preset=${1:-${VDAMF_PRESET:-release}}
 scripts/build.sh "$preset"
-ctest --preset "$preset" -j "$(nproc)"
+ctest --preset "$preset" -j $(($(nproc) + 1))
