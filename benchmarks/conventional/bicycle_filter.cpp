@@ -11,11 +11,11 @@ namespace
 {
 enum Row
 {
-    kX,
-    kY,
-    kHeading,
-    kSpeed,
-    kSlip
+    kRowX,
+    kRowY,
+    kRowHeading,
+    kRowSpeed,
+    kRowSlip
 };
 
 constexpr double kGravity = 9.81;
@@ -41,23 +41,23 @@ BicycleFilter::Covariance processNoise(const BicycleFilter::State& state, double
     constexpr double kLeastSlip = 0.3 * kDegree, kMostSlip = 10.0 * kDegree;  // 1/s
     constexpr double kMaxSlip = 30.0 * kDegree;
     constexpr double kStands = 0.01;  // m/s
-    const double v = state(kSpeed);
+    const double v = state(kRowSpeed);
     double turn = kLeastTurn;
     double slip = kLeastSlip;
     if (v > kStands)
     {
         turn = std::clamp(std::min(kAcross / v, v * std::sin(kMaxSlip) / rearAxle), kLeastTurn,
                           kMostTurn);
-        const double sine = std::sin(state(kSlip));
+        const double sine = std::sin(state(kRowSlip));
         slip = std::clamp(std::hypot(kAcross * sine / v, 1.5 * sine), kLeastSlip, kMostSlip);
     }
     const double dt2 = dt * dt;
     BicycleFilter::Covariance q = BicycleFilter::Covariance::Zero();
     q.topLeftCorner<2, 2>() = turned(0.25 * square(kAlong) * dt2 * dt2,
-                                     0.25 * square(kAcross) * dt2 * dt2, state(kHeading));
-    q(kHeading, kHeading) = square(turn) * dt2;
-    q(kSpeed, kSpeed) = square(kAlong) * dt2;
-    q(kSlip, kSlip) = square(slip) * dt2;
+                                     0.25 * square(kAcross) * dt2 * dt2, state(kRowHeading));
+    q(kRowHeading, kRowHeading) = square(turn) * dt2;
+    q(kRowSpeed, kRowSpeed) = square(kAlong) * dt2;
+    q(kRowSlip, kRowSlip) = square(slip) * dt2;
     return q;
 }
 }  // namespace
@@ -68,9 +68,9 @@ BicycleFilter::BicycleFilter(const OrientedBox& box)
     state_ << box.x, box.y, box.heading, 0.0, 0.0;
     covariance_.setZero();
     covariance_.topLeftCorner<2, 2>() = turned(square(1.0), square(0.3), box.heading);
-    covariance_(kHeading, kHeading) = square(25.0 * kDegree);
-    covariance_(kSpeed, kSpeed) = square(kAnySpeed);
-    covariance_(kSlip, kSlip) = square(5.0 * kDegree);
+    covariance_(kRowHeading, kRowHeading) = square(25.0 * kDegree);
+    covariance_(kRowSpeed, kRowSpeed) = square(kAnySpeed);
+    covariance_(kRowSlip, kRowSlip) = square(5.0 * kDegree);
     setLength(box.length);
 }
 
@@ -81,37 +81,37 @@ void BicycleFilter::setLength(double length)
 
 double BicycleFilter::yawRate() const
 {
-    return state_(kSpeed) * std::sin(state_(kSlip)) / rearAxle_;
+    return state_(kRowSpeed) * std::sin(state_(kRowSlip)) / rearAxle_;
 }
 
 BicycleFilter::State BicycleFilter::next(const State& state, double dt, double rearAxle)
 {
-    const double v = state(kSpeed);
-    const double turn = v * std::sin(state(kSlip)) / rearAxle * dt;
-    const double course = state(kHeading) + state(kSlip);
+    const double v = state(kRowSpeed);
+    const double turn = v * std::sin(state(kRowSlip)) / rearAxle * dt;
+    const double course = state(kRowHeading) + state(kRowSlip);
     State later = state;
-    later(kX) += v * dt * std::cos(course) - 0.5 * turn * v * dt * std::sin(course);
-    later(kY) += v * dt * std::sin(course) + 0.5 * turn * v * dt * std::cos(course);
-    later(kHeading) += turn;
+    later(kRowX) += v * dt * std::cos(course) - 0.5 * turn * v * dt * std::sin(course);
+    later(kRowY) += v * dt * std::sin(course) + 0.5 * turn * v * dt * std::cos(course);
+    later(kRowHeading) += turn;
     return later;
 }
 
 BicycleFilter::Covariance BicycleFilter::jacobian(const State& state, double dt, double rearAxle)
 {
-    const double v = state(kSpeed);
-    const double turnBySpeed = std::sin(state(kSlip)) / rearAxle * dt;
-    const double turnBySlip = v * std::cos(state(kSlip)) / rearAxle * dt;
+    const double v = state(kRowSpeed);
+    const double turnBySpeed = std::sin(state(kRowSlip)) / rearAxle * dt;
+    const double turnBySlip = v * std::cos(state(kRowSlip)) / rearAxle * dt;
     const double turn = v * turnBySpeed;
-    const double course = state(kHeading) + state(kSlip);
+    const double course = state(kRowHeading) + state(kRowSlip);
     const Eigen::Vector2d ahead(std::cos(course), std::sin(course));
     const Eigen::Vector2d left(-ahead.y(), ahead.x());
     const Eigen::Vector2d byCourse = v * dt * (left - 0.5 * turn * ahead);
     Covariance f = Covariance::Identity();
-    f.block<2, 1>(kX, kHeading) = byCourse;
-    f.block<2, 1>(kX, kSpeed) = dt * (ahead + turn * left);
-    f.block<2, 1>(kX, kSlip) = byCourse + 0.5 * v * dt * turnBySlip * left;
-    f(kHeading, kSpeed) = turnBySpeed;
-    f(kHeading, kSlip) = turnBySlip;
+    f.block<2, 1>(kRowX, kRowHeading) = byCourse;
+    f.block<2, 1>(kRowX, kRowSpeed) = dt * (ahead + turn * left);
+    f.block<2, 1>(kRowX, kRowSlip) = byCourse + 0.5 * v * dt * turnBySlip * left;
+    f(kRowHeading, kRowSpeed) = turnBySpeed;
+    f(kRowHeading, kRowSlip) = turnBySlip;
     return f;
 }
 
@@ -132,10 +132,10 @@ void BicycleFilter::predictStep(double dt)
 void BicycleFilter::update(const Eigen::Vector2d& centre, double heading)
 {
     Eigen::Matrix3d noise = Eigen::Matrix3d::Zero();
-    noise.topLeftCorner<2, 2>() = turned(square(0.5), square(0.4), state_(kHeading));
-    noise(kHeading, kHeading) = square(20.0 * kDegree);
-    const Eigen::Vector3d innovation(centre.x() - state_(kX), centre.y() - state_(kY),
-                                     std::remainder(heading - state_(kHeading), kPi));
+    noise.topLeftCorner<2, 2>() = turned(square(0.5), square(0.4), state_(kRowHeading));
+    noise(kRowHeading, kRowHeading) = square(20.0 * kDegree);
+    const Eigen::Vector3d innovation(centre.x() - state_(kRowX), centre.y() - state_(kRowY),
+                                     std::remainder(heading - state_(kRowHeading), kPi));
     const Eigen::Matrix3d s = covariance_.topLeftCorner<3, 3>() + noise;
     const Eigen::Matrix<double, 5, 3> gain = covariance_.leftCols<3>() * s.inverse();
     state_ += gain * innovation;
@@ -149,14 +149,14 @@ void BicycleFilter::keepWithinLimits()
     constexpr double kFastest = 140.0 / 3.6;       // m/s
     constexpr double kFastestReverse = 5.0 / 3.6;  // m/s
     constexpr double kMostSlip = 30.0 * kDegree;
-    if (state_(kSpeed) < -kFastestReverse)
+    if (state_(kRowSpeed) < -kFastestReverse)
     {
-        state_(kSpeed) = -state_(kSpeed);
-        state_(kHeading) += kPi;
+        state_(kRowSpeed) = -state_(kRowSpeed);
+        state_(kRowHeading) += kPi;
     }
-    state_(kSpeed) = std::min(state_(kSpeed), kFastest);
-    state_(kSlip) = std::clamp(state_(kSlip), -kMostSlip, kMostSlip);
-    state_(kHeading) = wrapAngle(state_(kHeading));
+    state_(kRowSpeed) = std::min(state_(kRowSpeed), kFastest);
+    state_(kRowSlip) = std::clamp(state_(kRowSlip), -kMostSlip, kMostSlip);
+    state_(kRowHeading) = wrapAngle(state_(kRowHeading));
 }
 
 }  // namespace vdamf

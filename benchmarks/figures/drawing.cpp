@@ -3,8 +3,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
-#include <cstdio>
 
+#include "figures/formatted.h"
 #include "figures/scale_bar.h"
 #include "figures/view.h"
 
@@ -13,28 +13,22 @@ namespace vdamf
 namespace
 {
 constexpr double kTile = 300.0;      // pixels
-constexpr double kScale = 34.0;      // pixels a metre
+constexpr double kTileScale = 34.0;  // pixels a metre
 constexpr double kEndStrip = 0.75;   // m, Table 1
 constexpr double kSideStrip = 0.5;   // m
 constexpr double kMagnified = 10.0;  // of ellipse and sector
 constexpr double kLongest = 2.2;     // m, of an axis of the ellipse as drawn
 
-std::string text(const char* pattern, double a, double b = 0.0, double c = 0.0, double d = 0.0)
+Eigen::Vector2d tilePixel(const Eigen::Vector2d& at)
 {
-    std::array<char, 256> buffer{};
-    std::snprintf(buffer.data(), buffer.size(), pattern, a, b, c, d);
-    return buffer.data();
-}
-
-Eigen::Vector2d pixel(const Eigen::Vector2d& at)
-{
-    return {0.5 * kTile + kScale * at.x(), 0.5 * kTile + 8.0 - kScale * at.y()};
+    return {0.5 * kTile + kTileScale * at.x(), 0.5 * kTile + 8.0 - kTileScale * at.y()};
 }
 
 std::string polygon(const std::vector<Eigen::Vector2d>& points, const std::string& style)
 {
     std::string svg = "<polygon points=\"";
-    for (const Eigen::Vector2d& p : points) svg += text("%.1f,%.1f ", pixel(p).x(), pixel(p).y());
+    for (const Eigen::Vector2d& p : points)
+        svg += formatted("%.1f,%.1f ", tilePixel(p).x(), tilePixel(p).y());
     return svg + "\" " + style + "/>\n";
 }
 
@@ -102,23 +96,24 @@ std::string viewSvg(const FigureView& view)
             uncertainty(view.measured);
     }
     const Eigen::Vector2d to =
-        pixel(box.centre() + 6.0 * (view.sensor - box.centre()).normalized());
-    svg += text("<path d=\"M%.1f %.1fL%.1f %.1f\" stroke=\"black\" stroke-dasharray=\"5 4\"/>\n",
-                pixel(box.centre()).x(), pixel(box.centre()).y(), to.x(), to.y());
+        tilePixel(box.centre() + 6.0 * (view.sensor - box.centre()).normalized());
+    svg +=
+        formatted("<path d=\"M%.1f %.1fL%.1f %.1f\" stroke=\"black\" stroke-dasharray=\"5 4\"/>\n",
+                  tilePixel(box.centre()).x(), tilePixel(box.centre()).y(), to.x(), to.y());
     for (const Eigen::Vector3d& hit : view.hits)
-        svg += text("<circle cx=\"%.1f\" cy=\"%.1f\" r=\"1.3\" fill=\"#036\"/>",
-                    pixel(hit.head<2>()).x(), pixel(hit.head<2>()).y());
+        svg += formatted("<circle cx=\"%.1f\" cy=\"%.1f\" r=\"1.3\" fill=\"#036\"/>",
+                         tilePixel(hit.head<2>()).x(), tilePixel(hit.head<2>()).y());
     return svg + "\n<text x=\"6\" y=\"16\">" + view.caption + "</text>\n";
 }
 
 std::string captionAt(double x, double y, const std::string& words)
 {
-    return text("<text x=\"%.0f\" y=\"%.0f\">", x, y) + words + "</text>\n";
+    return formatted("<text x=\"%.0f\" y=\"%.0f\">", x, y) + words + "</text>\n";
 }
 
 std::string framed(double width, double height, const std::string& content)
 {
-    return text(
+    return formatted(
                "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%.0f\" height=\"%.0f\" "
                "font-family=\"sans-serif\" font-size=\"13\">\n",
                width, height) +
@@ -132,8 +127,8 @@ std::string viewsSvg(const std::vector<FigureView>& views, int columns)
     for (std::size_t i = 0; i < views.size(); ++i)
     {
         const int at = static_cast<int>(i);
-        svg += text("<svg x=\"%.0f\" y=\"%.0f\" width=\"300\" height=\"300\">\n",
-                    kTile * (at % columns), kTile * (at / columns)) +
+        svg += formatted("<svg x=\"%.0f\" y=\"%.0f\" width=\"300\" height=\"300\">\n",
+                         kTile * (at % columns), kTile * (at / columns)) +
                viewSvg(views[i]) + "</svg>\n";
     }
     const int rows = (static_cast<int>(views.size()) + columns - 1) / columns;
@@ -144,7 +139,7 @@ std::string viewsSvg(const std::vector<FigureView>& views, int columns)
            captionAt(6.0, below + 40.0,
                      "green: ten standard deviations of the centre (ellipse, cut at 2.2 m) and of "
                      "the heading (sector)") +
-           scaleBar(kTile * columns - 20.0, below + 36.0, kScale, 2.0);
+           scaleBar(kTile * columns - 20.0, below + 36.0, kTileScale, 2.0);
     return framed(kTile * columns, below + 50.0, svg);
 }
 
@@ -180,12 +175,13 @@ std::string obliqueSvg(const FigureView& view)
     for (const Eigen::Vector2d& dot : dots) all.extend(dot);
     for (const auto& line : lines) all.extend(line[0]).extend(line[1]);
     const Eigen::Vector2d shift = Eigen::Vector2d::Constant(kMargin) - all.min();
-    std::string svg = text("<g transform=\"translate(%.1f,%.1f)\">\n", shift.x(), shift.y());
+    std::string svg = formatted("<g transform=\"translate(%.1f,%.1f)\">\n", shift.x(), shift.y());
     for (const auto& line : lines)
-        svg += text("<path stroke=\"#d11\" d=\"M%.1f %.1fL%.1f %.1f\"/>\n", line[0].x(),
-                    line[0].y(), line[1].x(), line[1].y());
+        svg += formatted("<path stroke=\"#d11\" d=\"M%.1f %.1fL%.1f %.1f\"/>\n", line[0].x(),
+                         line[0].y(), line[1].x(), line[1].y());
     for (const Eigen::Vector2d& dot : dots)
-        svg += text("<circle cx=\"%.1f\" cy=\"%.1f\" r=\"1.6\" fill=\"#036\"/>", dot.x(), dot.y());
+        svg += formatted("<circle cx=\"%.1f\" cy=\"%.1f\" r=\"1.6\" fill=\"#036\"/>", dot.x(),
+                         dot.y());
     const Eigen::Vector2d size = all.sizes() + Eigen::Vector2d::Constant(2.0 * kMargin);
     return framed(size.x(), size.y() + kMargin,
                   svg + "</g>\n" +

@@ -55,9 +55,9 @@ bool isWithin(const OrientedBox& hits, const OrientedBox& box, double margin)
     return true;
 }
 
-bool standsWithKnownLength(const Track& track)
+bool stands(const Track& track)
 {
-    return track.hypotheses->standingProbability >= 0.5 && track.told.length;
+    return track.hypotheses->standingProbability >= 0.5;
 }
 
 // Of what has a known length and goes out of sight the last hits are on any part of it, and where
@@ -69,13 +69,14 @@ bool isLastGlimpse(const Track& track, const Sighting& sighting, double margin)
     constexpr double kTurned = 0.2;  // rad: nothing turns as much from one frame to the next
     const Measurement& m = sighting.measurement;
     if (!track.told.length) return false;
-    const bool stands = standsWithKnownLength(track);
+    const bool isStanding = stands(track);
     const double turned =
         std::abs(std::remainder(m.box.heading - track.state.mean(kHeading), 0.5 * kPi));
     const double mayTurn =
-        stands ? kTurned : kTurned + 3.0 * std::sqrt(track.state.covariance(kHeading, kHeading));
+        isStanding ? kTurned
+                   : kTurned + 3.0 * std::sqrt(track.state.covariance(kHeading, kHeading));
     const bool showsFaces =
-        turned <= mayTurn && (stands ? m.hiddenEnds.empty() : !m.facesSeen.empty());
+        turned <= mayTurn && (isStanding ? m.hiddenEnds.empty() : !m.facesSeen.empty());
     const bool isPart =
         std::hypot(sighting.around.length, sighting.around.width) < kPart * track.box().length;
     return isPart && !showsFaces && isWithin(sighting.around, track.box(), margin);
@@ -141,7 +142,7 @@ BoxMeasurement boxOf(const Sighting& sighting, const Measurement& m, const Track
                      const VehicleState& then, const VisibilityOptions& options)
 {
     FaceErrors errors = faceErrors(m, then, options);
-    if (standsWithKnownLength(track)) errors = withShortRows(errors, m, then);
+    if (stands(track) && track.told.length) errors = withShortRows(errors, m, then);
     BoxMeasurement box = boxThrough(m, errors, then.size(), sighting.sensor, options);
     box.lag = sighting.lag;
     return box;
@@ -165,7 +166,7 @@ Track updatedBy(const BoxMeasurement& box, Track track, const Measurement& m,
     const JitterShares jitter = track.jitter;  // before this sighting
     track.nis = innovationOf(then, withJitterAlone(box, jitter)).nis();
     // What was only assumed of what stands is no reason to take in what it stands beside.
-    const bool mayBeLonger = track.told.length || hypotheses.standingProbability < 0.5;
+    const bool mayBeLonger = track.told.length || !stands(track);
     hypotheses.forEach(
         [&](VehicleState& state)
         {
