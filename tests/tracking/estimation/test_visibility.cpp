@@ -148,6 +148,10 @@ TEST(OpenToGrowth, LetsTheLengthFollowHitsBeyondAHiddenEnd)
     front(kLength) = 0.5;
     EXPECT_NEAR(front.dot(open.covariance * front), front.dot(before.covariance * front), 1e-9);
     EXPECT_EQ(openToGrowth(before, m, false, options).covariance, before.covariance);
+    Measurement vague = m;
+    vague.covariance(2, 2) = 0.05 * 0.05;
+    EXPECT_EQ(openToGrowth(before, vague, true, options).covariance, before.covariance)
+        << "they may lie beside it";
     // Hits within it say nothing.
     m.box.x = 19.6;
     EXPECT_EQ(openToGrowth(before, m, true, options).covariance, before.covariance);

@@ -141,6 +141,9 @@ FaceErrors withShortRows(const FaceErrors& errors, const Measurement& m,
 VehicleState openToGrowth(const VehicleState& predicted, const Measurement& m, bool mayBeLonger,
                           const VisibilityOptions& o)
 {
+    // Of a box that may lie turned, hits to its side seem to be beyond its end.
+    constexpr double kTurned = 0.03;  // rad
+    const bool mayReach = mayBeLonger && m.covariance(2, 2) < kTurned * kTurned;
     VehicleState next = predicted;
     const FaceSet located = locatedFaces(m);
     for (int axis = 0; axis < 2; ++axis)
@@ -155,7 +158,7 @@ VehicleState openToGrowth(const VehicleState& predicted, const Measurement& m, b
         const SizeChange change = sizeChange(m, predicted, axis, o);
         if (has[0] && has[1] && change.sigmas >= kClear)
             grow(1 - suspect(m, predicted, axis, 1.0), change.metres);
-        for (int end = 0; end < 2 && axis == 0 && mayBeLonger; ++end)
+        for (int end = 0; end < 2 && axis == 0 && mayReach; ++end)
             if (reachesBeyond(m, predicted, axis, end, has[1 - end], o))
                 grow(1 - end, outside(m.box, predicted.box(), axis, end));
     }
