@@ -224,7 +224,7 @@ double shareOnNearFaces(const Hits& hits, const OrientedBox& box, const Eigen::V
     const Eigen::Vector2d view = toBoxFrame(box, sensor);
     const double signX = view.x() > 0.0 ? 1.0 : -1.0;
     const double signY = view.y() > 0.0 ? 1.0 : -1.0;
-    const auto [c, s] = directionOf(box.heading);
+    const Direction forward = directionOf(box.heading);
     const double perWidth = 1.0 / (32.0 * scale * scale);
     // What is not beside a face towards the sensor is far from it.
     constexpr double kFar = 1e30;
@@ -232,8 +232,8 @@ double shareOnNearFaces(const Hits& hits, const OrientedBox& box, const Eigen::V
     const double noSide = signY * view.y() > 0.5 * box.width ? 0.0 : kFar;
     double share = 0.0;
     inWideLanes([
-        =, size = hits.size(), px = hits.x.data(), py = hits.y.data(), weights = hits.weight.data(),
-        result = &share
+        =, c = forward.cos, s = forward.sin, size = hits.size(), px = hits.x.data(),
+        py = hits.y.data(), weights = hits.weight.data(), result = &share
     ]() __attribute__((always_inline)) {
         Doubles sum{};
         const auto add = [&](std::size_t first, std::size_t count) __attribute__((always_inline))
