@@ -43,6 +43,12 @@ protected:
 
     static std::string queue() { return runShell("squeue -h -r -o '%F_%K %T'").output; }
 
+    static std::string firstJob()
+    {
+        const std::string job = runShell("squeue -h -o '%F' | head -n 1").output;
+        return job.substr(0, job.find('\n'));
+    }
+
     // The first task that runs: "<array job>_<index>".
     static std::string runningTask()
     {
@@ -74,11 +80,13 @@ TEST_F(SweepOnSlurm, GivesTheTableOfTheLocalEngine)
 
 TEST_F(SweepOnSlurm, KilledTasksAreSubmittedAgain)
 {
-    writeSweep("", "measurement.sigma_m = 0.10 : 0.05 : 0.35", kSlurm);
+    writeSweep("", "measurement.sigma_m = 0.10 : 0.05 : 0.35",
+               std::string(kSlurm) + "extra = --begin=now+2\n");
     const pid_t process = start("slurm", "--engine slurm");
-    const std::string cancelled = runningTask();
-    EXPECT_EQ(runShell("scancel " + cancelled).exitCode, 0);
-    // A worker that dies by itself, if there is one at this moment.
+    ASSERT_TRUE(waitFor([] { return queue().find("PENDING") != std::string::npos; }));
+    EXPECT_EQ(runShell("scancel " + firstJob() + "_1").exitCode, 0);
+    // Running ones, if they still do by then: one is cancelled, the worker of another dies.
+    runShell("scancel " + runningTask());
     runShell("kill -9 $(pgrep -f '" + at("slurm").string() + "/tasks' | head -n 1)");
     EXPECT_EQ(waitForExit(process), 0) << contentOf("out.txt");
     EXPECT_EQ(runsIn("slurm"), 6U);
@@ -91,8 +99,7 @@ TEST_F(SweepOnSlurm, GivesUpATaskThatIsKilledTooOften)
                std::string(kSlurm) + "retries = 0\nextra = --begin=now+2\n");
     const pid_t process = start("slurm", "--engine slurm");
     ASSERT_TRUE(waitFor([] { return queue().find("PENDING") != std::string::npos; }));
-    const std::string job = runShell("squeue -h -o '%F' | head -n 1").output;
-    runShell("scancel " + job.substr(0, job.find('\n')) + "_1");
+    runShell("scancel " + firstJob() + "_1");
     EXPECT_EQ(waitForExit(process), 1);
     EXPECT_THAT(contentOf("out.txt"), HasSubstr("setting 2 failed: job "));
     EXPECT_THAT(contentOf("out.txt"), HasSubstr("ended without a result, attempt 1 of 1"));
