@@ -70,6 +70,75 @@ TEST(Neighbourhood, WhoKnowsNothingOfItsOwnAxesSaysNothing)
     EXPECT_NEAR(evidence({vague}, {0, 0, 0, 4.3, 1.8}), 0.0, 1e-12);
 }
 
+Track surelyParkedAt(std::uint64_t id, double x, double y, double heading)
+{
+    Track track = parkedAt(id, x, y, heading);
+    track.judgement.probability = 1.0;
+    track.state.covariance(kHeading, kHeading) = 1e-4;
+    return track;
+}
+
+Neighbourhood around(const std::vector<Track>& tracks)
+{
+    return Neighbourhood(tracks, Discriminator({}));
+}
+
+TEST(Neighbourhood, HeadingIsThatOfTheVehiclesAround)
+{
+    const auto row = around({surelyParkedAt(1, 0.0, 2.5, 0.02), surelyParkedAt(2, 0.0, -2.5, 0.04),
+                             surelyParkedAt(3, 30.0, 0.0, 0.3)});
+    const OrientedBox box{0, 0, 0.2, 4.3, 1.8};
+    const auto prior = row.heading(box, kSelf);
+    ASSERT_TRUE(prior);
+    EXPECT_NEAR(prior->heading, 0.03, 1e-9);
+    EXPECT_GT(prior->variance, 1e-3);
+    EXPECT_NEAR(row.heading(box, 1)->heading, 0.04, 1e-9) << "nobody is beside itself";
+    EXPECT_NEAR(row.heading({0, 0, 0.2 + kPi, 4.3, 1.8}, kSelf)->heading, 0.03 + kPi, 1e-9);
+    EXPECT_FALSE(row.heading({0, 0, 1.0, 4.3, 1.8}, kSelf)) << "stands otherwise";
+    EXPECT_FALSE(row.heading({0, 30, 0.2, 4.3, 1.8}, kSelf)) << "nobody near";
+}
+
+TEST(Neighbourhood, WhatMayBeNoVehicleTellsNoHeading)
+{
+    Track shrub = surelyParkedAt(1, 0.0, 2.5, 0.0);
+    shrub.judgement.probability = 0.6;
+    EXPECT_FALSE(around({shrub}).heading({0, 0, 0.1, 4.3, 1.8}, kSelf));
+}
+
+// Hits on a piece of an end at the front of a car, whose heading is off.
+Sighting seenInPart(double off, double sigma)
+{
+    Sighting sighting;
+    sighting.measurement.box = {0, 0, off, 4.0, 1.8};
+    sighting.measurement.covariance = 0.01 * Matrix5d::Identity();
+    sighting.measurement.covariance(2, 2) = sigma * sigma;
+    sighting.around = {2.0, 0.0, off, 0.1, 0.6};
+    return sighting;
+}
+
+TEST(HeadingOfNeighbours, TurnsWhatIsVagueAboutItsHits)
+{
+    const auto row = around({surelyParkedAt(1, 0.0, 2.5, 0.0), surelyParkedAt(2, 0.0, -2.5, 0.0)});
+    const Sighting seen = seenInPart(0.25, 0.17);
+    const Sighting turned = withHeadingOfNeighbours(seen, row, kSelf);
+    const OrientedBox& box = turned.measurement.box;
+    EXPECT_LT(std::abs(box.heading), 0.1 * 0.25 + 0.02);
+    EXPECT_NEAR(box.x, 0.0, 1e-9);
+    EXPECT_NEAR(box.y, (0.25 - box.heading) * 2.0, 1e-9) << "the hits stay where they are";
+    EXPECT_EQ(turned.measurement.covariance, seen.measurement.covariance);
+}
+
+TEST(HeadingOfNeighbours, LeavesWhatIsKnownBetterOrStandsOtherwise)
+{
+    const auto row = around({surelyParkedAt(1, 0.0, 2.5, 0.0)});
+    const auto headingOf = [&](double off, double sigma)
+    { return withHeadingOfNeighbours(seenInPart(off, sigma), row, kSelf).measurement.box.heading; };
+    EXPECT_EQ(headingOf(0.1, 0.01), 0.1) << "it tells its heading itself";
+    EXPECT_EQ(headingOf(0.4, 0.05), 0.4) << "by far more than both may err";
+    EXPECT_EQ(headingOf(0.8, 0.3), 0.8) << "askew";
+    EXPECT_LT(headingOf(0.1, 0.1), 0.06);
+}
+
 TEST(RowAlongFace, EndsAtAGapAndLeavesOutWhatLiesBehindTheFace)
 {
     Hits hits;

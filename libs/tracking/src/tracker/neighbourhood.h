@@ -1,17 +1,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Vehicles side by side or in line stand alike: what those around tell of one's axes.
+// Vehicles side by side or in line stand alike: what those around tell of one's axes and heading.
 #pragma once
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "association/plane_index.h"
 #include "tracker/discriminate.h"
+#include "tracker/sighting.h"
 #include "tracker/track.h"
 
 namespace vdamf
 {
+/// What is known of a heading beforehand.
+struct HeadingPrior
+{
+    double heading = 0.0;   ///< rad
+    double variance = 0.0;  ///< rad^2
+};
+
 /// The published tracks of a frame, as neighbours of others.
 class Neighbourhood
 {
@@ -23,17 +32,31 @@ public:
     /// of their axes, never by what their own neighbours tell.
     double axesEvidence(const OrientedBox& box, std::uint64_t self) const;
 
+    /// The heading of a vehicle at that place by those around it but for `self`, near that of the
+    /// box or its reverse; nothing where none is.
+    std::optional<HeadingPrior> heading(const OrientedBox& box, std::uint64_t self) const;
+
 private:
     struct Neighbour
     {
         std::uint64_t id = 0;
         Eigen::Vector2d centre = Eigen::Vector2d::Zero();  // m
         double heading = 0.0;                              // rad
+        double headingVariance = 0.0;                      // rad^2
         double logOdds = 0.0;  // that another's length lies along its heading
     };
+
+    template <class Use>
+    void forEachInReach(const Eigen::Vector2d& centre, std::uint64_t self, const Use& use) const;
 
     std::vector<Neighbour> neighbours_;
     PlaneIndex index_;
 };
+
+/// The sighting with its box turned, about the middle of the hits, towards the heading of the
+/// vehicles around it, as far as its own is uncertain. What it says of its errors stays as it is:
+/// the neighbours tell the same in each frame.
+Sighting withHeadingOfNeighbours(Sighting sighting, const Neighbourhood& around,
+                                 std::uint64_t self);
 
 }  // namespace vdamf

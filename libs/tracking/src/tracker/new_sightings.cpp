@@ -151,10 +151,12 @@ Sighting withLikelierAxes(Sighting sighting, const Neighbourhood& around)
     constexpr std::uint64_t kNew = 0;
     const double evidence = axesEvidence(sizeCues(sighting, sighting.height)) +
                             around.axesEvidence(sighting.measurement.box, kNew);
-    if (evidence >= 0.0) return sighting;
-    sighting.measurement = turnedBy(sighting.measurement, 1);
-    std::swap(sighting.side, sighting.end);
-    return sighting;
+    if (evidence < 0.0)
+    {
+        sighting.measurement = turnedBy(sighting.measurement, 1);
+        std::swap(sighting.side, sighting.end);
+    }
+    return withHeadingOfNeighbours(std::move(sighting), around, kNew);
 }
 
 std::vector<Sighting> newSightings(const SegmentedFrame& frame, const std::vector<bool>& claimed,

@@ -189,11 +189,18 @@ private:
             {
                 Track& track = tracks_[j];
                 if (sightings[j])
+                {
+                    constexpr double kStands = 0.5;  // likelier than not
+                    const Sighting seen =
+                        track.stoodProbability < kStands
+                            ? *sightings[j]
+                            : withHeadingOfNeighbours(*sightings[j], around, track.id);
                     track = typeFilters_.judged(
-                        sightedTrack(std::move(track), *sightings[j],
-                                     around.axesEvidence(sightings[j]->measurement.box, track.id),
+                        sightedTrack(std::move(track), seen,
+                                     around.axesEvidence(seen.measurement.box, track.id),
                                      filters_[worker], options_),
-                        *sightings[j]);
+                        seen);
+                }
                 else if (!assignment[j].empty())
                     track =
                         glancedTrack(std::move(track), frame, assignment[j], options_.lifecycle);
