@@ -142,7 +142,7 @@ VehicleState openToGrowth(const VehicleState& predicted, const Measurement& m, b
                           const VisibilityOptions& o)
 {
     // Of a box that may lie turned, hits to its side seem to be beyond its end.
-    constexpr double kTurned = 0.03;  // rad
+    constexpr double kTurned = 0.04;  // rad
     const bool mayReach = mayBeLonger && m.covariance(2, 2) < kTurned * kTurned;
     VehicleState next = predicted;
     const FaceSet located = locatedFaces(m);

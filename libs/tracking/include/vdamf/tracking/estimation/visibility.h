@@ -125,7 +125,7 @@ FaceErrors withShortRows(const FaceErrors& errors, const Measurement& measuremen
 /// The predicted state, less certain of its size where the measurement shows clearly more than it
 /// knew: hits never add to a vehicle, so the face that is ahead most is news. Speed is not touched:
 /// centre, axle and size move as that face does. Where it `mayBeLonger`, hits beyond an end whose
-/// place is hidden are news as well, if the measurement tells its heading to 0.03 rad.
+/// place is hidden are news as well, if the measurement tells its heading to 0.04 rad.
 VehicleState openToGrowth(const VehicleState& predicted, const Measurement& measurement,
                           bool mayBeLonger, const VisibilityOptions& options);
 
