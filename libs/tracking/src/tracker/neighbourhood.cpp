@@ -20,7 +20,7 @@ constexpr double kSame = 20.0 * kPi / 180.0;  // rad
 constexpr double kHeadingSpread = 0.07 * 0.07;  // rad^2
 constexpr double kLeastSpread = 0.04 * 0.04;    // rad^2, of what all around have in common
 constexpr double kAskew = 30.0 * kPi / 180.0;   // rad: stands otherwise
-constexpr double kLikely = 2.3;                 // log odds, of those that are followed
+constexpr double kSureNeighbour = 2.3;          // log odds, of those that are followed
 
 bool isPublished(const Track& track)
 {
@@ -87,7 +87,7 @@ std::optional<HeadingPrior> Neighbourhood::heading(const OrientedBox& box, std::
                    [&](const Neighbour& other)
                    {
                        const double turn = std::remainder(other.heading - box.heading, kPi);
-                       if (other.logOdds < kLikely || std::abs(turn) > kAskew) return;
+                       if (other.logOdds < kSureNeighbour || std::abs(turn) > kAskew) return;
                        const double each = 1.0 / (kHeadingSpread + other.headingVariance);
                        information += each;
                        turns += each * turn;
