@@ -60,6 +60,16 @@ inline std::string posesText(const TrackRawlogSummary& s)
            count(s.ins.impossible, "impossible ones left out");
 }
 
+/// "in 157 frames by what stands, up to 0.43 m and 0.9 deg"; empty if they were not.
+inline std::string correctionText(const TrackRawlogSummary& s)
+{
+    constexpr double kDegrees = 57.29577951308232;
+    if (s.aligned == 0) return "";
+    char most[64];
+    std::snprintf(most, sizeof most, "%.2f m and %.1f deg", s.mostShifted, kDegrees * s.mostTurned);
+    return "in " + std::to_string(s.aligned) + " frames by what stands, up to " + most;
+}
+
 /// What is wrong with the times of the scans, on stderr.
 inline void warnOfTimes(const TrackRawlogSummary& s, const std::string& input)
 {
@@ -164,6 +174,7 @@ inline void printSummary(std::FILE* to, const TrackRawlogSummary& s)
                       (s.merged > 0 ? ", " + std::to_string(s.merged) + " merged" : ""));
     row("objects confirmed", std::to_string(s.tracksConfirmed));
     row("INS poses", posesText(s));
+    if (s.aligned > 0) row("  corrected", correctionText(s));
     row("entries", entriesText(s.read));
     printConsistency(to, s.nis);
     printTimes(to, s);

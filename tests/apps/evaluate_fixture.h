@@ -35,7 +35,7 @@ protected:
                 truthTable += toCsv(truth);
                 const auto id = static_cast<std::uint64_t>(car);
                 for (const TrackRow& row : change(trackOn(truth, id), frame))
-                    trackTable += toCsv(FrameResult{row.time, {row.report}, 0, 0, 0});
+                    trackTable += toCsv(FrameResult{row.time, {row.report}, 0, 0, 0, {}});
             }
         }
         make("truth.csv", truthTable);

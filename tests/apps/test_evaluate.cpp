@@ -160,7 +160,7 @@ TEST_F(EvaluateAppTest, TheStreetsTruthIsPerfect)
     for (const TruthRow& truth : readTruth(VDAMF_SOURCE_DIR "/datasets/street/truth.csv"))
     {
         const auto id = ids.try_emplace(truth.objectId, ids.size() + 1).first->second;
-        tracks += toCsv(FrameResult{truth.time, {trackOn(truth, id).report}, 0, 0, 0});
+        tracks += toCsv(FrameResult{truth.time, {trackOn(truth, id).report}, 0, 0, 0, {}});
     }
     make("tracks.csv", tracks);
     std::filesystem::copy_file(VDAMF_SOURCE_DIR "/datasets/street/truth.csv", at("truth.csv"));
@@ -205,7 +205,7 @@ TEST_F(EvaluateAppTest, TheLabelsOfARecordedDriveArePerfect)
     for (const TruthRow& truth : readTruth(at("truth.csv")))
     {
         const auto id = static_cast<std::uint64_t>(1 + std::stoi(truth.objectId));
-        tracks += toCsv(FrameResult{truth.time, {trackOn(truth, id).report}, 0, 0, 0});
+        tracks += toCsv(FrameResult{truth.time, {trackOn(truth, id).report}, 0, 0, 0, {}});
     }
     make("tracks.csv", tracks);
     // The cyclist and the rest are don't care: tracks on them are no false alarms.

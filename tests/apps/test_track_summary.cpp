@@ -82,6 +82,19 @@ TEST_F(TrackSummary, SaysWhatIsWrongWithThePoses)
                       HasSubstr("the clock of the poses goes back 1 times")));
 }
 
+TEST_F(TrackSummary, SaysThatPosesThatErrAreCorrectedByWhatStands)
+{
+    const Outcome simulated = runApp(
+        "vdamf-simulate",
+        VDAMF_SOURCE_DIR "/datasets/scenarios/noisy_ins.ini -q --set scenario.duration_s=2 -o " +
+            path("n.rawlog"));
+    ASSERT_EQ(simulated.exitCode, 0) << simulated.output;
+    const std::string tracked = in("n.rawlog") + " --overwrite --tracks " + path("t.csv");
+    EXPECT_THAT(track(tracked).output, HasSubstr("  corrected        in "));
+    EXPECT_THAT(track(tracked + " --set alignment.enabled=false").output,
+                Not(HasSubstr("corrected")));
+}
+
 TEST_F(TrackSummary, AStandingSensorNeedsNoPoses)
 {
     const Outcome without = run(scan(0.1) + scan(0.2));

@@ -42,6 +42,7 @@ Configuration readConfiguration(const IniDocument& document)
     reader.read("measurement", c.tracker.measurement);
     reader.read("visibility", c.tracker.visibility);
     reader.read("motion", c.tracker.motion);
+    reader.read("alignment", c.tracker.alignment);
     reader.read("lifecycle", c.tracker.lifecycle);
     reader.read("tracker", c.tracker.execution);
     reader.read("discriminator", c.tracker.discriminator);
@@ -77,6 +78,7 @@ std::string toIni(const Configuration& c)
     writer.write("visibility", "Partly seen vehicles (paper, 4.5) and the memory of sizes",
                  c.tracker.visibility);
     writer.write("motion", "Variable-axis steering model", c.tracker.motion);
+    writer.write("alignment", "Errors of the poses of the vehicle", c.tracker.alignment);
     writer.write("lifecycle", "Start, confirmation and end of tracks", c.tracker.lifecycle);
     writer.write("tracker", "How the tracker runs", c.tracker.execution);
     writer.write("discriminator", "Vehicle or not (paper, 5)", c.tracker.discriminator);

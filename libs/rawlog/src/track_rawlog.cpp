@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <set>
 #include <stdexcept>
 
@@ -153,6 +154,7 @@ private:
     {
         if (summary_.frames++ == 0) summary_.firstTime = result.time;
         summary_.lastTime = result.time;
+        account(result.alignment);
         nis_.add(result);
         for (const TrackReport& track : result.tracks)
         {
@@ -160,6 +162,14 @@ private:
                 ++summary_.tracksConfirmed;
             if (track.status == TrackStatus::Ended) confirmed_.erase(track.id);
         }
+    }
+
+    void account(const PlaneMotion& alignment)
+    {
+        if (alignment.turn == 0.0 && alignment.shift.isZero(0.0)) return;
+        ++summary_.aligned;
+        summary_.mostShifted = std::max(summary_.mostShifted, alignment.shift.norm());
+        summary_.mostTurned = std::max(summary_.mostTurned, std::abs(alignment.turn));
     }
 
     void copyFirst()

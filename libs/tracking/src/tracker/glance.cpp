@@ -23,8 +23,7 @@ bool haveSameEnds(const OrientedBox& a, const OrientedBox& b)
 bool isWhereItWas(const Track& track, const SegmentedFrame& frame,
                   const std::vector<std::size_t>& clusters)
 {
-    constexpr double kStands = 0.5;  // likelier than not
-    if (track.misses > 0 || track.stoodProbability < kStands) return false;
+    if (track.misses > 0 || !track.stood()) return false;
     const OrientedBox before = track.boxOfHits();
     return haveSameEnds(before, rectangleAround(*hitsOf(frame, clusters), before.heading));
 }

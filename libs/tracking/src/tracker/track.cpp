@@ -37,6 +37,22 @@ Track movedBy(Track track, const Eigen::Vector3d& by)
     return track;
 }
 
+Track movedBy(Track track, const PlaneMotion& by)
+{
+    const auto move = [&](VehicleState& state)
+    {
+        state.mean.head<2>() = by.of(Eigen::Vector2d(state.mean.head<2>()));
+        state.mean(kHeading) = wrapAngle(state.mean(kHeading) + by.turn);
+        if (state.steering == Steering::Independent)
+            state.mean.segment<2>(kVelocityX) =
+                rotation(by.turn) * state.mean.segment<2>(kVelocityX);
+    };
+    track.hypotheses->forEach(move);
+    move(track.state);
+    for (PathPoint& point : track.path) point.box = by.of(point.box);
+    return track;
+}
+
 Track predictedTrack(Track track, double dt, const Eigen::Vector2d& sensor,
                      VehicleKalmanFilter& filter, const MotionOptions& options)
 {

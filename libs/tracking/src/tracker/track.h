@@ -18,6 +18,7 @@
 #include "vdamf/tracking/estimation/told_errors.h"
 #include "vdamf/tracking/estimation/view.h"
 #include "vdamf/tracking/tracker/tracker.h"
+#include "vdamf/tracking/types/plane_motion.h"
 
 namespace vdamf
 {
@@ -76,6 +77,8 @@ struct Track
     std::optional<double> nis;
 
     OrientedBox box() const { return state.box(); }
+    /// It likelier did than not, before the last prediction.
+    bool stood() const { return stoodProbability >= 0.5; }
     /// Where its hits should be if it is as large as the last ones were.
     OrientedBox boxOfHits() const;
     Eigen::Vector2d velocity() const  ///< of the centre, world, m/s
@@ -120,6 +123,8 @@ Track withCheckedHeading(Track track, const Sighting& sighting, double neighbour
 /// The track with all positions moved (m), for a frame of another origin. What it has of the last
 /// frame stays as it is.
 Track movedBy(Track track, const Eigen::Vector3d& by);
+/// By a small motion of all that there is; its turn does not matter to covariances.
+Track movedBy(Track track, const PlaneMotion& by);
 
 /// The track `dt` seconds later, for a frame seen from `sensor`.
 Track predictedTrack(Track track, double dt, const Eigen::Vector2d& sensor,

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 #include "association/loose_hits.h"
+#include "tracker/alignment.h"
 #include "tracker/attention.h"
 #include "tracker/discriminate.h"
 #include "tracker/duplicates.h"
@@ -16,12 +16,12 @@
 #include "tracker/new_sightings.h"
 #include "tracker/one_time.h"
 #include "tracker/predicted_targets.h"
+#include "tracker/segmentation.h"
 #include "tracker/shared_cut.h"
 #include "tracker/track.h"
 #include "tracker/type_filters.h"
 #include "tracker/vehicle_cut.h"
 #include "tracker/worker_pool.h"
-#include "vdamf/tracking/preprocessing/range_profile.h"
 
 namespace vdamf
 {
@@ -32,7 +32,8 @@ public:
         : options_(options),
           workers_(options.execution.threads),
           discriminator_(options.discriminator),
-          typeFilters_(options.measurement)
+          typeFilters_(options.measurement),
+          alignment_(options.alignment)
     {
         for (std::size_t k = 0; k < workers_.size(); ++k) filters_.emplace_back(options.motion);
     }
@@ -42,7 +43,10 @@ public:
         if (!std::isfinite(frame.time) || (time_ && frame.time <= *time_))
             throw std::invalid_argument("frames must come in order of time");
         const FieldOfView view(frame);
-        SegmentedFrame segmented = segment(frame, view);
+        enter(Stage::Ground);
+        const AboveGround above = removeGround(frame, options_.ground);
+        enter(Stage::Clustering);
+        SegmentedFrame segmented = segmentedFrame(frame, above, view, options_.clustering);
         enter(Stage::Prediction);
         predictTracks(frame);
         enter(Stage::Association);
@@ -55,9 +59,10 @@ public:
             assignClusters(predicted, segmented.hits, options_.association, segmented.isVehicle);
         assignment = withLooseHits(std::move(assignment), segmented, predicted);
         enter(Stage::Measurement);
-        const auto sightings = measureTracks(segmented, assignment);
+        auto sightings = measureTracks(segmented, assignment);
         enter(Stage::Update);
-        updateTracks(segmented, view, assignment, sightings, around);
+        followPlatform(sightings);
+        updateTracks(segmented, view, assignment, std::move(sightings), around);
         enter(Stage::NewTracks);
         assignment = startTracks(segmented, std::move(assignment));
         enter(Stage::Discrimination);
@@ -75,30 +80,6 @@ private:
     void enter(Stage stage) const
     {
         if (observer_) observer_(&stage);
-    }
-
-    SegmentedFrame segment(const LadarFrame& frame, const FieldOfView& view)
-    {
-        SegmentedFrame s;
-        s.time = frame.time;
-        s.sensor = (frame.sensor - frame.origin).head<2>();
-        s.sensorZ = frame.sensor.z() - frame.origin.z();
-        s.points = frame.points.size();
-        s.planar = frame.planar;
-        enter(Stage::Ground);
-        const AboveGround above = removeGround(frame, options_.ground);
-        s.pointsAboveGround = above.index.size();
-        enter(Stage::Clustering);
-        s.profile = rangeProfile(frame, above);
-        // A level scan does not tell where it looks and hits nothing.
-        if (!frame.planar) s.profile = withinView(std::move(s.profile), view);
-        // A car before a wall is in one cluster with it.
-        ClusterOptions anyExtent = options_.clustering;
-        anyExtent.maxExtent = std::numeric_limits<double>::infinity();
-        ClusteredHits hits = clusterHits(frame, above, anyExtent);
-        s.clusters = std::move(hits.clusters);
-        s.loose = std::move(hits.loose);
-        return s;
     }
 
     SegmentedFrame withHits(SegmentedFrame s)
@@ -133,6 +114,7 @@ private:
     {
         const double dt = time_ ? frame.time - *time_ : 0.0;
         const Eigen::Vector3d moved = origin_ - frame.origin;
+        alignment_.goOn(-moved.head<2>(), frame.time);
         time_ = frame.time;
         origin_ = frame.origin;
         const Eigen::Vector2d sensor = (frame.sensor - frame.origin).head<2>();
@@ -177,10 +159,17 @@ private:
                           typeFilters_.optionsFor(track), effortFor(track, discriminator_));
     }
 
+    // Where the platform's pose errs, tracks go with it, and are told where they were.
+    void followPlatform(const std::vector<std::optional<Sighting>>& sightings)
+    {
+        const auto motion = alignment_.motionOf(tracks_, sightings, options_.visibility);
+        if (!motion) return;
+        for (Track& track : tracks_) track = movedBy(std::move(track), *motion);
+    }
+
     void updateTracks(const SegmentedFrame& frame, const FieldOfView& field,
                       const std::vector<std::vector<std::size_t>>& assignment,
-                      const std::vector<std::optional<Sighting>>& sightings,
-                      const Neighbourhood& around)
+                      std::vector<std::optional<Sighting>> sightings, const Neighbourhood& around)
     {
         const OpenView view{frame.time, frame.sensor, frame.profile, field};
         workers_.forEach(
@@ -190,11 +179,10 @@ private:
                 Track& track = tracks_[j];
                 if (sightings[j])
                 {
-                    constexpr double kStands = 0.5;  // likelier than not
                     const Sighting seen =
-                        track.stoodProbability < kStands
-                            ? *sightings[j]
-                            : withHeadingOfNeighbours(*sightings[j], around, track.id);
+                        track.stood()
+                            ? withHeadingOfNeighbours(std::move(*sightings[j]), around, track.id)
+                            : std::move(*sightings[j]);
                     track = typeFilters_.judged(
                         sightedTrack(std::move(track), seen,
                                      around.axesEvidence(seen.measurement.box, track.id),
@@ -244,11 +232,14 @@ private:
         result.points = frame.points.size();
         result.pointsAboveGround = segmented.pointsAboveGround;
         result.clusters = segmented.clusters.size();
+        result.alignment = alignment_.motion();
         result.tracks.reserve(tracks_.size());
         for (const Track& track : tracks_)
-            result.tracks.push_back(discriminator_.withProbability(
-                reportOf(track, discriminator_.extentOf(track), options_.visibility, frame.origin),
-                track));
+            result.tracks.push_back(alignment_.aligned(
+                discriminator_.withProbability(reportOf(track, discriminator_.extentOf(track),
+                                                        options_.visibility, frame.origin),
+                                               track),
+                frame.origin.head<2>()));
         return result;
     }
 
@@ -272,6 +263,7 @@ private:
     std::vector<VehicleKalmanFilter> filters_;  // of each worker
     Discriminator discriminator_;
     TypeFilters typeFilters_;
+    Alignment alignment_;
     std::vector<Track> tracks_;  // by rising id
     std::uint64_t nextId_ = 1;
     std::optional<double> time_;

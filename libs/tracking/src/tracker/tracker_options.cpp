@@ -16,6 +16,7 @@ std::vector<std::string> TrackerOptions::problems() const
     add("measurement", problemsOf(measurement));
     add("visibility", problemsOf(visibility));
     add("motion", problemsOf(motion));
+    add("alignment", problemsOf(alignment));
     add("lifecycle", problemsOf(lifecycle));
     add("tracker", problemsOf(execution));
     add("discriminator", problemsOf(discriminator));

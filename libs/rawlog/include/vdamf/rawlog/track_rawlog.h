@@ -61,6 +61,10 @@ struct TrackRawlogSummary
     double firstTime = 0.0, lastTime = 0.0;  ///< of the frames, s (UNIX)
     std::string insSource;
     InsReport ins;  ///< what became of its samples
+    /// Frames in which tracks went by what stands rather than by the poses, and how far these were
+    /// off at most, m and rad.
+    std::uint64_t aligned = 0;
+    double mostShifted = 0.0, mostTurned = 0.0;
     /// Seconds spent: reading (with parsing), scan to world frame, the tracker's stages, writing.
     double readSeconds = 0.0, frameSeconds = 0.0, writeSeconds = 0.0;
     std::array<double, 8> stageSeconds{};  ///< by Stage

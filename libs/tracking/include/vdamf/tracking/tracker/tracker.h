@@ -9,6 +9,7 @@
 
 #include "vdamf/tracking/association/auction.h"
 #include "vdamf/tracking/discrimination/options.h"
+#include "vdamf/tracking/estimation/platform_errors.h"
 #include "vdamf/tracking/estimation/variable_axis_model.h"
 #include "vdamf/tracking/estimation/visibility.h"
 #include "vdamf/tracking/matched_filter/measure.h"
@@ -87,6 +88,7 @@ struct TrackerOptions
     MeasureOptions measurement;
     VisibilityOptions visibility;
     MotionOptions motion;
+    AlignmentOptions alignment;
     LifecycleOptions lifecycle;
     ExecutionOptions execution;
     DiscriminatorOptions discriminator;

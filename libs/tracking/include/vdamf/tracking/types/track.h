@@ -11,6 +11,7 @@
 
 #include "vdamf/tracking/types/faces.h"
 #include "vdamf/tracking/types/geometry.h"
+#include "vdamf/tracking/types/plane_motion.h"
 #include "vdamf/tracking/types/vehicle_type.h"
 
 namespace vdamf
@@ -74,6 +75,9 @@ struct FrameResult
     std::size_t points = 0;           ///< in the frame
     std::size_t pointsAboveGround = 0;
     std::size_t clusters = 0;
+    /// From the world that the platform's poses say to that of the tracks, about the frame's
+    /// origin; no motion as long as these poses do not err.
+    PlaneMotion alignment;
 };
 
 }  // namespace vdamf

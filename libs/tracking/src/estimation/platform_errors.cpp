@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vdamf/tracking/estimation/platform_errors.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+namespace vdamf
+{
+namespace
+{
+double shiftVariance(const Eigen::Matrix3d& covariance)
+{
+    return 0.5 * covariance.topLeftCorner<2, 2>().trace();
+}
+}  // namespace
+
+EstimatedMotion commonMotion(const std::vector<StandingPoint>& points, const Eigen::Vector3d& prior)
+{
+    constexpr double kFreedom = 4.0;  // of Student's distribution
+    constexpr int kRounds = 4;
+    Eigen::Vector3d motion = Eigen::Vector3d::Zero();
+    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+    for (int round = 0; round < kRounds; ++round)
+    {
+        Eigen::Matrix3d information = prior.cwiseInverse().asDiagonal();
+        Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+        for (const StandingPoint& point : points)
+        {
+            Eigen::Matrix3d byMotion = Eigen::Matrix3d::Identity();
+            byMotion(0, 2) = -point.at.y();
+            byMotion(1, 2) = point.at.x();
+            const Eigen::Matrix3d weights = point.innovation.covariance.inverse();
+            const Eigen::Vector3d rest = point.innovation.value - byMotion * motion;
+            const double share = (kFreedom + 3.0) / (kFreedom + rest.dot(weights * rest));
+            const Eigen::Matrix3d gain = share * byMotion.transpose() * weights;
+            information += gain * byMotion;
+            sum += gain * point.innovation.value;
+        }
+        covariance = information.inverse();
+        motion = covariance * sum;
+    }
+    return {{motion(2), motion.head<2>()}, covariance};
+}
+
+void PlatformErrors::Spread::add(double square, double variance, double kept)
+{
+    sum_ = kept * sum_ + square - variance;
+    frames_ = kept * frames_ + 1.0;
+}
+
+double PlatformErrors::Spread::value() const
+{
+    constexpr double kLeastFrames = 2.5;  // a group of people that sets off seems to be the world
+    return frames_ < kLeastFrames ? 0.0 : std::max(0.0, sum_ / frames_);
+}
+
+Eigen::Vector3d PlatformErrors::variances() const
+{
+    constexpr double kLeastShift = 0.01 * 0.01;                   // m^2
+    constexpr double kLeastTurn = 0.1 * kDegree * 0.1 * kDegree;  // rad^2
+    const double shift = std::max(kLeastShift, shift_.value());
+    return {shift, shift, std::max(kLeastTurn, turn_.value())};
+}
+
+std::optional<EstimatedMotion> PlatformErrors::after(const std::vector<StandingPoint>& points,
+                                                     double dt)
+{
+    constexpr double kMemory = 4.0;               // s
+    constexpr double kVague = 1.0;                // m^2, rad^2
+    constexpr double kKnownShift = 0.06 * 0.06;   // m^2
+    constexpr double kKnownTurn = 0.006 * 0.006;  // rad^2
+    constexpr std::size_t kLeastPoints = 2;       // a single one may have set off
+    const EstimatedMotion alone = commonMotion(points, Eigen::Vector3d::Constant(kVague));
+    const double ofShift = shiftVariance(alone.covariance);
+    const double ofTurn = alone.covariance(2, 2);
+    if (points.size() >= kLeastPoints && ofShift < kKnownShift && ofTurn < kKnownTurn)
+    {
+        const double kept = std::exp(-dt / kMemory);
+        shift_.add(0.5 * alone.motion.shift.squaredNorm(), ofShift, kept);
+        turn_.add(std::pow(alone.motion.turn, 2), ofTurn, kept);
+    }
+    const bool errs = shift_.value() > std::pow(options_.from, 2) ||
+                      turn_.value() > std::pow(options_.fromTurn, 2);
+    if (!errs) return std::nullopt;
+    return commonMotion(points, variances());
+}
+
+}  // namespace vdamf

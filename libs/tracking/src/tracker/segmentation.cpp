@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tracker/segmentation.h"
+
+#include <limits>
+#include <utility>
+
+#include "vdamf/tracking/preprocessing/range_profile.h"
+
+namespace vdamf
+{
+SegmentedFrame segmentedFrame(const LadarFrame& frame, const AboveGround& above,
+                              const FieldOfView& view, ClusterOptions options)
+{
+    SegmentedFrame s;
+    s.time = frame.time;
+    s.sensor = (frame.sensor - frame.origin).head<2>();
+    s.sensorZ = frame.sensor.z() - frame.origin.z();
+    s.points = frame.points.size();
+    s.planar = frame.planar;
+    s.pointsAboveGround = above.index.size();
+    s.profile = rangeProfile(frame, above);
+    // A level scan does not tell where it looks and hits nothing.
+    if (!frame.planar) s.profile = withinView(std::move(s.profile), view);
+    options.maxExtent = std::numeric_limits<double>::infinity();
+    ClusteredHits hits = clusterHits(frame, above, options);
+    s.clusters = std::move(hits.clusters);
+    s.loose = std::move(hits.loose);
+    return s;
+}
+
+}  // namespace vdamf

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// From the hits above the ground to clusters, and what the sensor sees past them.
+#pragma once
+
+#include "tracker/field_of_view.h"
+#include "tracker/sighting.h"
+#include "vdamf/tracking/preprocessing/clustering.h"
+#include "vdamf/tracking/preprocessing/ground.h"
+#include "vdamf/tracking/types/point_cloud.h"
+
+namespace vdamf
+{
+/// The clusters of a frame, of any extent: a car before a wall is in one with it. Their hits are
+/// not projected yet.
+SegmentedFrame segmentedFrame(const LadarFrame& frame, const AboveGround& above,
+                              const FieldOfView& view, ClusterOptions options);
+
+}  // namespace vdamf

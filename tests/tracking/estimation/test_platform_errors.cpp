@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vdamf/tracking/estimation/platform_errors.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "tracking/decompositions.h"
+
+namespace vdamf
+{
+namespace
+{
+constexpr double kFrame = 0.1;  // s
+constexpr double kPlaceError = 0.03;
+constexpr double kHeadingError = 0.02;
+const std::vector<Eigen::Vector2d> kParked{{8.0, -4.0}, {15.0, -4.0}, {22.0, -4.0},
+                                           {12.0, 5.0}, {-9.0, 4.0},  {-20.0, -5.0}};
+const PlaneMotion kMotion{0.004, {0.08, -0.05}};
+const Eigen::Vector3d kVague(1.0, 1.0, 1.0);
+
+// What is parked, seen after everything moved, with errors as large as the covariance says.
+std::vector<StandingPoint> seenAfter(const PlaneMotion& motion, std::mt19937& random)
+{
+    std::normal_distribution<double> gauss;
+    std::vector<StandingPoint> points;
+    for (const Eigen::Vector2d& place : kParked)
+    {
+        StandingPoint point;
+        point.at = motion.of(place);
+        point.innovation.covariance =
+            Eigen::Vector3d(kPlaceError * kPlaceError, kPlaceError * kPlaceError,
+                            kHeadingError * kHeadingError)
+                .asDiagonal();
+        point.innovation.value.head<2>() =
+            point.at - place + kPlaceError * Eigen::Vector2d(gauss(random), gauss(random));
+        point.innovation.value(2) = motion.turn + kHeadingError * gauss(random);
+        points.push_back(point);
+    }
+    return points;
+}
+
+Eigen::Vector3d errorOf(const EstimatedMotion& found, const PlaneMotion& motion)
+{
+    Eigen::Vector3d error;
+    error << found.motion.shift - motion.shift, found.motion.turn - motion.turn;
+    return error;
+}
+
+TEST(CommonMotion, ErrsAsItsCovarianceSays)
+{
+    constexpr int kRuns = 2000;
+    std::mt19937 random(3);
+    Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
+    Eigen::Matrix3d told = Eigen::Matrix3d::Zero();
+    for (int run = 0; run < kRuns; ++run)
+    {
+        const EstimatedMotion found = commonMotion(seenAfter(kMotion, random), kVague);
+        const Eigen::Vector3d error = errorOf(found, kMotion);
+        scatter += error * error.transpose() / kRuns;
+        told += found.covariance / kRuns;
+    }
+    for (Eigen::Index k = 0; k < 3; ++k)
+        EXPECT_NEAR(std::sqrt(scatter(k, k)), std::sqrt(told(k, k)), 0.15 * std::sqrt(told(k, k)));
+}
+
+TEST(CommonMotion, LeavesOutWhatSetsOff)
+{
+    std::mt19937 random(4);
+    std::vector<StandingPoint> points = seenAfter(kMotion, random);
+    const EstimatedMotion before = commonMotion(points, kVague);
+    points[2].innovation.value.x() += 1.0;
+    const EstimatedMotion after = commonMotion(points, kVague);
+    EXPECT_LT((after.motion.shift - before.motion.shift).norm(), 0.02);
+    EXPECT_NEAR(after.motion.turn, before.motion.turn, 0.002);
+}
+
+TEST(CommonMotion, StaysWithinWhatIsKnownBeforehand)
+{
+    std::mt19937 random(5);
+    const Eigen::Vector3d sure(1e-8, 1e-8, 1e-10);
+    const EstimatedMotion found = commonMotion(seenAfter(kMotion, random), sure);
+    EXPECT_LT(found.motion.shift.norm(), 0.001);
+    EXPECT_LT(std::abs(found.motion.turn), 1e-4);
+    const EstimatedMotion nothing = commonMotion({}, sure);
+    EXPECT_EQ(nothing.motion.shift.norm(), 0.0);
+    EXPECT_NEAR(nothing.covariance(0, 0), 1e-8, 1e-12);
+}
+
+TEST(PlatformErrors, OfAGoodInsAreNone)
+{
+    std::mt19937 random(6);
+    PlatformErrors errors{AlignmentOptions()};
+    for (int frame = 0; frame < 300; ++frame)
+        ASSERT_FALSE(errors.after(seenAfter({}, random), kFrame)) << frame;
+}
+
+TEST(PlatformErrors, AreToldOnceTheyHaveShown)
+{
+    std::mt19937 random(7);
+    std::normal_distribution<double> gauss;
+    PlatformErrors errors{AlignmentOptions()};
+    int told = 0;
+    double square = 0.0;
+    for (int frame = 0; frame < 100; ++frame)
+    {
+        const PlaneMotion motion{0.003 * gauss(random),
+                                 0.1 * Eigen::Vector2d(gauss(random), gauss(random))};
+        const auto found = errors.after(seenAfter(motion, random), kFrame);
+        if (!found) continue;
+        ++told;
+        square += squaredMahalanobis(errorOf(*found, motion), found->covariance);
+    }
+    EXPECT_GT(told, 95);
+    EXPECT_NEAR(square / (3.0 * told), 1.0, 0.3);
+    EXPECT_NEAR(std::sqrt(errors.variances()(0)), 0.1, 0.03);
+    EXPECT_NEAR(std::sqrt(errors.variances()(2)), 0.003, 0.0015);
+}
+
+TEST(PlatformErrors, OfTheHeadingAloneAreToldToo)
+{
+    std::mt19937 random(8);
+    std::normal_distribution<double> gauss;
+    PlatformErrors errors{AlignmentOptions()};
+    for (int frame = 0; frame < 10; ++frame)
+        errors.after(seenAfter({0.006 * gauss(random), {}}, random), kFrame);
+    const PlaneMotion turned{0.006, {}};
+    const auto found = errors.after(seenAfter(turned, random), kFrame);
+    ASSERT_TRUE(found);
+    EXPECT_NEAR(found->motion.turn, turned.turn, 0.003);
+}
+
+TEST(PlatformErrors, TakeMoreThanOneThingThatStands)
+{
+    std::mt19937 random(9);
+    PlatformErrors errors{AlignmentOptions()};
+    for (int frame = 0; frame < 50; ++frame)
+    {
+        std::vector<StandingPoint> one = seenAfter({0.0, {0.3, 0.0}}, random);
+        one.resize(1);
+        ASSERT_FALSE(errors.after(one, kFrame));
+    }
+}
+
+}  // namespace
+}  // namespace vdamf

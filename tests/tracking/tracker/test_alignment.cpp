@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Where the platform's poses err, parked cars stay parked.
+#include "tracker/alignment.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "tracking/tracker/example_frames.h"
+
+namespace vdamf
+{
+namespace
+{
+const std::vector<OrientedBox> kParkedCars{{8.0, -4.5, 0.02, 4.4, 1.8},
+                                           {15.0, -4.4, -0.01, 4.2, 1.7},
+                                           {23.0, -4.6, 0.03, 4.6, 1.8},
+                                           {12.0, 5.0, 3.14, 4.3, 1.8},
+                                           {26.0, 5.1, 3.12, 4.5, 1.8}};
+constexpr double kDriving = 5.0;  // m/s, of the platform and of the car that drives ahead
+
+// The frame as it comes out where the platform's pose errs by a motion about the sensor.
+LadarFrame withPoseOff(LadarFrame frame, const PlaneMotion& off)
+{
+    const Eigen::Vector2d sensor = (frame.sensor - frame.origin).head<2>();
+    for (std::size_t i = 0; i < frame.points.size(); ++i)
+    {
+        const Eigen::Vector2d p(frame.points.x[i], frame.points.y[i]);
+        const Eigen::Vector2d q = sensor + off.of(p - sensor);
+        frame.points.x[i] = static_cast<float>(q.x());
+        frame.points.y[i] = static_cast<float>(q.y());
+    }
+    frame.sensor.head<2>() += off.shift;
+    return frame;
+}
+
+struct Drive
+{
+    double fastest = 0.0;    // m/s, of what is parked
+    double farthest = 0.0;   // m, of what is parked, from where it stood
+    double drivenOff = 0.0;  // m/s, most, of the car ahead
+    double farFrom = 0.0;    // m, where the platform believes to be, at the end
+    int aligned = 0;         // frames
+    int seen = 0;            // parked cars, over all frames
+};
+
+// 4 s past parked cars. Errors of the pose walk by `step` (m) and a hundredth of it (rad) a frame.
+Drive drive(double step, bool align)
+{
+    TrackerOptions options = optionsForBoxes();
+    options.alignment.enabled = align;
+    Tracker tracker{options};
+    std::mt19937 random(11);
+    std::normal_distribution<double> gauss;
+    PlaneMotion off;
+    Drive result;
+    for (int k = 0; k < 40; ++k)
+    {
+        const double time = 0.1 * k;
+        std::vector<ExampleBody> bodies{{{14.0 + kDriving * time, 0.0, 0.0, 4.4, 1.8}}};
+        for (const OrientedBox& box : kParkedCars) bodies.push_back({box});
+        const LadarFrame frame =
+            exampleFrame(time, {kDriving * time, 0.0}, bodies, 50 + static_cast<unsigned>(k));
+        const FrameResult found = tracker.process(withPoseOff(frame, off));
+        result.aligned += found.alignment.turn != 0.0 ? 1 : 0;
+        result.farFrom = off.shift.norm();
+        if (k >= 15)
+        {
+            for (const OrientedBox& box : kParkedCars)
+                if (const TrackReport* track = confirmedNear(found, box.centre()))
+                {
+                    ++result.seen;
+                    result.fastest = std::max(result.fastest, std::abs(track->speed));
+                    result.farthest =
+                        std::max(result.farthest, (track->box.centre() - box.centre()).norm());
+                }
+            if (const TrackReport* track = confirmedNear(found, bodies[0].box.centre(), 3.0))
+                result.drivenOff = std::max(result.drivenOff, std::abs(track->speed - kDriving));
+        }
+        off.turn += 0.01 * step * gauss(random);
+        off.shift += step * Eigen::Vector2d(gauss(random), gauss(random));
+    }
+    return result;
+}
+
+TEST(Alignment, KeepsParkedCarsWhereTheyAreThoughPosesErr)
+{
+    const Drive with = drive(0.1, true);
+    const Drive without = drive(0.1, false);
+    ASSERT_GT(with.farFrom, 0.4);
+    EXPECT_GT(with.seen, 80);
+    EXPECT_LT(with.fastest, 0.1);
+    EXPECT_LT(with.farthest, 0.4);
+    EXPECT_LT(with.drivenOff, 1.0);
+    EXPECT_GE(with.aligned, 25);
+    EXPECT_EQ(without.aligned, 0);
+    EXPECT_GT(without.fastest, 0.5);
+}
+
+TEST(Alignment, DoesNothingWherePosesAreGood)
+{
+    const Drive good = drive(0.005, true);
+    EXPECT_EQ(good.aligned, 0);
+    EXPECT_LT(good.fastest, 0.1);
+}
+
+TEST(Alignment, MovesReportsAndTellsThatTheyAreLessSure)
+{
+    Alignment alignment{AlignmentOptions()};
+    alignment.goOn({0.0, 0.0}, 0.0);
+    TrackReport report;
+    report.box = {1012.0, 505.0, 0.1, 4.4, 1.8};
+    report.measuredBox = report.box;
+    report.covariance = 0.01 * Eigen::Matrix4d::Identity();
+    const TrackReport same = alignment.aligned(report, {1000.0, 500.0});
+    EXPECT_EQ(same.box.x, report.box.x);
+    EXPECT_EQ(same.covariance, report.covariance);
+}
+
+TEST(Alignment, TakesStandingTracksThatAreKnown)
+{
+    Track stands;
+    stands.stoodProbability = 0.9;
+    stands.sightings = 5;
+    for (VehicleState* state : {&stands.state, &stands.hypotheses->standing})
+    {
+        state->mean << 12.0, -4.0, 0.0, 0.0, 0.0, 1.0, 4.4;
+        state->covariance = 1e-4 * StateMatrix::Identity();
+        state->width = 1.8;
+        state->widthVariance = 1e-4;
+    }
+    Track moves = stands;
+    moves.stoodProbability = 0.2;
+    Track fresh = stands;
+    fresh.sightings = 2;
+    Sighting seen;
+    seen.measurement.box = {12.1, -4.05, 0.01, 4.4, 1.8};
+    seen.measurement.covariance = 1e-4 * Matrix5d::Identity();
+    seen.measurement.facesSeen.add(Face::Back);
+    seen.measurement.facesSeen.add(Face::Left);
+    const auto points = standingPoints({stands, moves, fresh, stands},
+                                       {seen, seen, seen, std::nullopt}, VisibilityOptions());
+    ASSERT_EQ(points.size(), 1U);
+    EXPECT_NEAR(points[0].innovation.value.x(), 0.1, 0.03);
+    EXPECT_NEAR(points[0].innovation.value.y(), -0.05, 0.03);
+    EXPECT_NEAR(points[0].innovation.value(2), 0.01, 1e-9);
+    EXPECT_NEAR(points[0].at.x(), 9.9, 0.1);
+}
+
+TEST(Alignment, MovesTracksWithTheirPathsAndVelocities)
+{
+    Track track;
+    track.state.mean << 3.0, 2.0, 0.5, 4.0, 0.0, 1.0, 4.4;
+    track.hypotheses->standing = track.state;
+    track.hypotheses->free.steering = Steering::Independent;
+    track.hypotheses->freeProbability = 0.5;
+    track.hypotheses->free.mean << 3.0, 2.0, 0.5, 2.0, 1.0, 0.0, 4.4;
+    track.path.push_back({1.0, {3.0, 2.0, 0.5, 4.4, 1.8}, {}});
+    const PlaneMotion motion{0.5 * kPi, {1.0, 0.0}};
+    const Track moved = movedBy(track, motion);
+    const Eigen::Vector2d there(-1.0, 3.0);
+    EXPECT_TRUE(moved.box().centre().isApprox(there, 1e-12));
+    EXPECT_NEAR(moved.state.mean(kHeading), 0.5 + 0.5 * kPi, 1e-12);
+    EXPECT_EQ(moved.state.mean(kSpeed), 4.0);
+    EXPECT_TRUE(moved.hypotheses->standing.box().centre().isApprox(there, 1e-12));
+    EXPECT_TRUE(moved.path[0].box.centre().isApprox(there, 1e-12));
+    EXPECT_NEAR(moved.hypotheses->free.mean(kVelocityX), -1.0, 1e-12);
+    EXPECT_NEAR(moved.hypotheses->free.mean(kVelocityY), 2.0, 1e-12);
+}
+
+}  // namespace
+}  // namespace vdamf
