@@ -182,6 +182,23 @@ TEST(HeadingBelief, WeakEvidenceDoesNotGrowStrongByRepetition)
     EXPECT_DOUBLE_EQ(afterFrames(some, vague, 1000).axesProbability(), some.axesProbability());
 }
 
+TEST(HeadingBelief, PartsOfFacesGiveWayToTheVehiclesAround)
+{
+    // A metre of a side between parked cars, held for an end.
+    HeadingCues part;
+    part.end = FaceExtent{1.0, 0.1};
+    HeadingBelief belief = afterFrames(HeadingBelief(part), part, 30);
+    EXPECT_GT(belief.axesProbability(), 0.9);
+    EXPECT_EQ(belief.turnDue(0.5), 0);
+    part.neighbours = -3.0;
+    EXPECT_EQ(belief.after(part).turnDue(0.5) % 2, 1);
+    // An end that shows as a whole does not.
+    HeadingCues whole = seen(std::nullopt, 1.8);
+    belief = afterFrames(HeadingBelief(whole), whole, 30);
+    whole.neighbours = -3.0;
+    EXPECT_EQ(belief.after(whole).turnDue(0.5), 0);
+}
+
 TEST(HeadingBelief, WideEndsOfTrucksAreEnds)
 {
     EXPECT_EQ(afterFrames({}, seen(std::nullopt, 2.55, 3.0), 100).turnDue(kDecisive), 0);

@@ -106,5 +106,66 @@ TEST(Discriminate, TakesWhatItDoesNotLookAtToSayTheSame)
     EXPECT_NEAR(track.judgement.evidence.sum, evidence.sum, 1e-9);
     EXPECT_NEAR(track.judgement.evidence.frames, evidence.frames, 1e-9);
 }
+// The rear of a bus, flat as a wall, that drives 8 m/s.
+Track rearOfABus()
+{
+    Track track = carAlong(7);
+    track.sightings = 20;
+    track.height = 3.0;
+    track.around = {0.0, 0.0, 0.0, 0.2, 2.4};
+    track.state.mean(kSpeed) = 8.0;
+    track.state.covariance(kSpeed, kSpeed) = 0.01;
+    for (int k = 0; k < 15; ++k) track.path.push_back({0.1 * k, {0.8 * k, 0.0, 0.0, 9.0, 2.5}, {}});
+    return track;
+}
+
+TEST(Discriminate, WhatDrivesAsVehiclesDoIsOneWhateverItLooksLike)
+{
+    const Discriminator discriminator = always(-4.0);
+    const Track bus = seen(rearOfABus(), discriminator, 100);
+    EXPECT_TRUE(bus.judgement.hasDriven);
+    EXPECT_FALSE(discriminator.rulesOut(bus));
+    // And still is when it stops.
+    Track stopped = bus;
+    stopped.state.mean(kSpeed) = 0.0;
+    stopped = seen(stopped, discriminator, 100);
+    EXPECT_TRUE(stopped.judgement.hasDriven);
+    EXPECT_FALSE(discriminator.rulesOut(stopped));
+    Track never = rearOfABus();
+    never.state.mean(kSpeed) = 0.0;
+    never = seen(never, discriminator, 100);
+    EXPECT_LT(never.judgement.probability, 0.1);
+    EXPECT_GT(bus.judgement.probability, 10.0 * never.judgement.probability);
+}
+
+TEST(Discriminate, WhatOnlySeemsToDriveIsNoVehicle)
+{
+    const Discriminator discriminator = always(-4.0);
+    const auto hasDriven = [&](const Track& track)
+    { return seen(track, discriminator, 100).judgement.hasDriven; };
+    Track guardRail = rearOfABus();
+    guardRail.around = {0.0, 0.0, 0.0, 15.0, 0.4};
+    EXPECT_FALSE(hasDriven(guardRail));
+    Track person = rearOfABus();
+    person.height = 1.8;
+    EXPECT_FALSE(hasDriven(person));
+    // Other parts of a hedge come into view.
+    Track jumps = rearOfABus();
+    for (std::size_t k = 0; k < 14; ++k) jumps.path[k].box.x = 0.0;
+    EXPECT_FALSE(hasDriven(jumps));
+    Track grows = rearOfABus();
+    for (int k = 0; k < 15; ++k) grows.path[static_cast<std::size_t>(k)].box.length = 4.0 + 1.6 * k;
+    EXPECT_FALSE(hasDriven(grows));
+    Track isNew = rearOfABus();
+    isNew.path.resize(8);
+    EXPECT_FALSE(hasDriven(isNew));
+    Track stands = rearOfABus();
+    stands.stoodProbability = 0.6;
+    EXPECT_FALSE(hasDriven(stands));
+    Track vague = rearOfABus();
+    vague.state.covariance(kSpeed, kSpeed) = 9.0;
+    EXPECT_FALSE(hasDriven(vague));
+}
+
 }  // namespace
 }  // namespace vdamf

@@ -19,7 +19,10 @@ constexpr double kSideways = 0.5;      // cosine, below which a course is neithe
 // Who has been seen to drive forward, by so much log odds, may drive slowly in reverse as well.
 constexpr double kKnown = 4.0;
 // Frames show the same thing again and again: all of them say at most so many times what one does.
+// Those of parts say less, as the same things hide the rest of the face: less than the vehicles
+// around.
 constexpr double kRepeats = 3.0;
+constexpr double kPartsRepeat = 2.6;
 // Sizes never outweigh a course that goes on: two-wheelers have sides as wide as cars.
 constexpr double kMostBySizes = 5.0;
 
@@ -47,6 +50,15 @@ std::optional<FaceExtent> longest(const std::optional<FaceExtent>& before,
     FaceExtent kept = *before;
     kept.metres -= kForgotten * dt;
     return now && now->metres >= kept.metres ? now : kept;
+}
+
+// How many times what one frame tells all that show the same tell at most.
+double repeatsOf(const HeadingCues& cues)
+{
+    double whole = 0.0;
+    for (const auto& face : {cues.side, cues.end})
+        if (face) whole = std::max(whole, face->whole);
+    return kPartsRepeat + (kRepeats - kPartsRepeat) * whole;
 }
 
 bool grown(const std::optional<FaceExtent>& before, const std::optional<FaceExtent>& now)
@@ -94,7 +106,7 @@ HeadingBelief HeadingBelief::after(const HeadingCues& cues) const
     const bool isNew =
         grown(longestEnd_, next.longestEnd_) || grown(longestSide_, next.longestSide_);
     const double before = isNew && axes_ * evidence < 0.0 ? 0.0 : axes_;
-    next.axes_ = withEvidence(before, evidence, frames, kRepeats, kMostBySizes);
+    next.axes_ = withEvidence(before, evidence, frames, repeatsOf(sizes), kMostBySizes);
     next.neighbours_ = cues.neighbours;
     const double forth = course_[0] - course_[2];
     if (std::abs(forth) < kKnown)

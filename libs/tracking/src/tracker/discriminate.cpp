@@ -9,6 +9,38 @@
 
 namespace vdamf
 {
+namespace
+{
+// Walls and hedges do not drive. What seems to is thin across its way, as guard rails are, or jumps
+// as ever other parts of it come into view.
+bool drives(const Track& track)
+{
+    constexpr double kThinnest = 1.6;  // m, across its way
+    constexpr double kWidest = 3.5;    // m
+    constexpr double kLowest = 2.0;    // m: the shape of what is lower tells enough
+    constexpr double kFar = 6.0;       // m, in the last seconds
+    constexpr std::size_t kLong = 12;  // sightings
+    constexpr double kFast = 2.0;      // m/s, for sure
+    constexpr double kSigmas = 3.0;
+    constexpr double kUneven = 0.2;  // of the way
+    if (track.stood() || track.path.size() < kLong || track.height < kLowest ||
+        track.around.width < kThinnest || track.around.width > kWidest)
+        return false;
+    const double speed = std::abs(track.state.mean(kSpeed));
+    if (speed - kSigmas * std::sqrt(track.state.covariance(kSpeed, kSpeed)) < kFast) return false;
+    const PathPoint& first = track.path.front();
+    const PathPoint& middle = track.path[track.path.size() / 2];
+    const PathPoint& last = track.path.back();
+    const Eigen::Vector2d way = last.box.centre() - first.box.centre();
+    const double time = last.time - first.time;
+    const Eigen::Vector2d evenly =
+        first.box.centre() + (middle.time - first.time) / time * way - middle.box.centre();
+    return way.norm() > kFar && evenly.norm() < kUneven * way.norm() &&
+           std::abs(way.norm() - speed * time) < kUneven * speed * time &&
+           std::abs(last.box.length - first.box.length) < kUneven * way.norm();
+}
+}  // namespace
+
 Discriminator::Discriminator(const DiscriminatorOptions& options) : options_(options) {}
 
 const DiscriminatorModel& Discriminator::model() const
@@ -78,7 +110,10 @@ Judgement Discriminator::judged(const Track& track, const SegmentedFrame& frame,
     }
     // What was not looked at is taken to say the same again.
     next.evidence = withFrame(next.evidence, next.logOdds, model().track, model().frame.prior);
-    next.probability = toProbability(trackLogOdds(next.evidence, model().track));
+    constexpr double kByDriving = 6.0;  // log odds
+    next.hasDriven = next.hasDriven || drives(track);
+    next.probability = toProbability(trackLogOdds(next.evidence, model().track) +
+                                     (next.hasDriven ? kByDriving : 0.0));
     return next;
 }
 
