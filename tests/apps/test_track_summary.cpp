@@ -93,6 +93,23 @@ TEST_F(TrackSummary, SaysThatPosesThatErrAreCorrectedByWhatStands)
     EXPECT_THAT(track(tracked).output, HasSubstr("  corrected        in "));
     EXPECT_THAT(track(tracked + " --set alignment.enabled=false").output,
                 Not(HasSubstr("corrected")));
+
+    // Where the world of the poses lies in that of the tracks stands beside these, and is no pose.
+    ASSERT_EQ(track(in("n.rawlog") + out("a.rawlog") + " --tracks " + path("a.csv")).exitCode, 0);
+    const Contents annotated(path("a.rawlog"));
+    int alignments = 0;
+    for (const RawlogEntry& entry : annotated.entries)
+    {
+        const auto pose = std::dynamic_pointer_cast<mrpt::obs::CObservationRobotPose>(entry.object);
+        if (!pose || pose->sensorLabel != "vdamf_tracks_alignment") continue;
+        ++alignments;
+        EXPECT_LT(pose->pose.mean.norm(), 1.0);
+    }
+    EXPECT_GT(alignments, 5);
+    ASSERT_EQ(track(in("a.rawlog") + " --tracks " + path("b.csv")).exitCode, 0);
+    EXPECT_EQ(contentOf("a.csv"), contentOf("b.csv"));
+    const Outcome page = runApp("vdamf-report", path("a.rawlog") + " -o " + path("a.html"));
+    EXPECT_EQ(page.exitCode, 0) << page.output;
 }
 
 TEST_F(TrackSummary, AStandingSensorNeedsNoPoses)

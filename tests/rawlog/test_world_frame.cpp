@@ -192,5 +192,22 @@ TEST(WorldFrame, IsPlanarWhereAllItsScansAre)
     EXPECT_FALSE(merged(planar, toLadarFrame(line, pose)).planar);
 }
 
+TEST(WorldFrame, IsMovedIntoAnotherWorld)
+{
+    LadarFrame frame;
+    frame.origin = {1000.0, 500.0, 3.0};
+    frame.sensor = {1001.0, 500.0, 5.0};
+    frame.points = {{4.0F}, {-2.0F}, {1.0F}, {}, {}};
+    const PlaneMotion motion{0.01, {3.0, -20.0}};
+    const LadarFrame moved = movedBy(frame, motion);
+    const Eigen::Vector2d hit = motion.of(Eigen::Vector2d(1004.0, 498.0));
+    EXPECT_EQ(moved.origin, frame.origin);
+    EXPECT_NEAR(moved.points.x[0] + moved.origin.x(), hit.x(), 1e-4);
+    EXPECT_NEAR(moved.points.y[0] + moved.origin.y(), hit.y(), 1e-4);
+    EXPECT_EQ(moved.points.z[0], 1.0F);
+    EXPECT_TRUE(moved.sensor.head<2>().isApprox(motion.of(Eigen::Vector2d(1001.0, 500.0)), 1e-12));
+    EXPECT_EQ(moved.sensor.z(), 5.0);
+}
+
 }  // namespace
 }  // namespace vdamf

@@ -43,6 +43,8 @@ std::vector<mrpt::obs::CObservation::Ptr> Annotator::annotate(const FrameResult&
         for (const TrackReport& track : frame.tracks)
             if (isPublished(track)) all.push_back(pose(track));
     }
+    const bool isRead = options_.table || options_.poses || options_.scene;
+    if (isRead && !frame.alignment.isNone()) all.push_back(alignment(frame.alignment));
     if (options_.scene)
     {
         extendTrails(frame);
@@ -82,6 +84,16 @@ mrpt::obs::CObservation::Ptr Annotator::pose(const TrackReport& track) const
         for (int j = 0; j < 3; ++j) pose->pose.cov(rows[i], rows[j]) = track.covariance(i, j);
     pose->pose.cov(2, 2) = kHeightVariance;
     pose->pose.cov(4, 4) = pose->pose.cov(5, 5) = kTiltVariance;
+    return pose;
+}
+
+mrpt::obs::CObservation::Ptr Annotator::alignment(const PlaneMotion& motion) const
+{
+    auto pose = mrpt::obs::CObservationRobotPose::Create();
+    pose->sensorLabel = kAlignmentLabel;
+    pose->pose.mean =
+        mrpt::poses::CPose3D(motion.shift.x(), motion.shift.y(), 0, motion.turn, 0, 0);
+    pose->pose.cov.setZero();
     return pose;
 }
 

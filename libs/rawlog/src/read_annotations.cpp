@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <mrpt/obs/CObservationComment.h>
 #include <mrpt/obs/CObservationRawDAQ.h>
+#include <mrpt/obs/CObservationRobotPose.h>
 
+#include <cmath>
 #include <sstream>
 #include <stdexcept>
 
@@ -46,6 +48,8 @@ public:
             takeHead(comment->text);
         else if (const auto* table = dynamic_cast<const mrpt::obs::CObservationRawDAQ*>(&object))
             takeTable(*table);
+        else if (const auto* pose = dynamic_cast<const mrpt::obs::CObservationRobotPose*>(&object))
+            takeAlignment(*pose);
     }
 
     Annotations annotations;
@@ -71,6 +75,14 @@ private:
             annotations.configuration = {};
             annotations.configurationProblem = error.what();
         }
+    }
+
+    void takeAlignment(const mrpt::obs::CObservationRobotPose& pose)
+    {
+        if (pose.sensorLabel != kAlignmentLabel) return;
+        const mrpt::poses::CPose3D& mean = pose.pose.mean;
+        if (!std::isfinite(mean.yaw() + mean.x() + mean.y())) return;
+        annotations.alignments[pose.timestamp] = {mean.yaw(), {mean.x(), mean.y()}};
     }
 
     void takeTable(const mrpt::obs::CObservationRawDAQ& table)

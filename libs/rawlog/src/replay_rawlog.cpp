@@ -66,7 +66,10 @@ private:
         result.time = frame->time;
         result.tracks = tracks;
         result.points = frame->points.size();
-        listener_(*frame, result, reader_.progress());
+        const auto alignment = annotations_.alignments.find(scan.observation->timestamp);
+        if (alignment != annotations_.alignments.end()) result.alignment = alignment->second;
+        listener_(result.alignment.isNone() ? *frame : movedBy(*frame, result.alignment), result,
+                  reader_.progress());
     }
 
     void note(const std::string& label)

@@ -126,12 +126,16 @@ private:
         if (!frame) return;
         const FrameResult result = tracker_.process(*frame);
         account(result);
+        account(result.alignment, frame->origin.head<2>());
         {
             const Stopwatch watch(summary_.writeSeconds);
             outputs_.annotate(scan, result);
             if (!outputs_.hasHead()) writeHead();
         }
-        if (listener_) listener_(*frame, result, reader_.progress());
+        if (!listener_) return;
+        const bool isElsewhere = !result.alignment.isNone();
+        listener_(isElsewhere ? movedBy(*frame, result.alignment) : *frame, result,
+                  reader_.progress());
     }
 
     void noteSensor(const std::string& label)
@@ -154,7 +158,6 @@ private:
     {
         if (summary_.frames++ == 0) summary_.firstTime = result.time;
         summary_.lastTime = result.time;
-        account(result.alignment);
         nis_.add(result);
         for (const TrackReport& track : result.tracks)
         {
@@ -164,11 +167,12 @@ private:
         }
     }
 
-    void account(const PlaneMotion& alignment)
+    void account(const PlaneMotion& alignment, const Eigen::Vector2d& vehicle)
     {
-        if (alignment.turn == 0.0 && alignment.shift.isZero(0.0)) return;
+        if (alignment.isNone()) return;
         ++summary_.aligned;
-        summary_.mostShifted = std::max(summary_.mostShifted, alignment.shift.norm());
+        summary_.mostShifted =
+            std::max(summary_.mostShifted, (alignment.of(vehicle) - vehicle).norm());
         summary_.mostTurned = std::max(summary_.mostTurned, std::abs(alignment.turn));
     }
 

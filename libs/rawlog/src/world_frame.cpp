@@ -108,4 +108,20 @@ LadarFrame merged(LadarFrame first, const LadarFrame& second)
     return first;
 }
 
+LadarFrame movedBy(LadarFrame frame, const PlaneMotion& motion)
+{
+    const PlaneMotion there = motion.about(frame.origin.head<2>());
+    const Eigen::Matrix2f turn = rotation(there.turn).cast<float>();
+    const Eigen::Vector2f shift = there.shift.cast<float>();
+    for (std::size_t i = 0; i < frame.points.size(); ++i)
+    {
+        const Eigen::Vector2f p =
+            turn * Eigen::Vector2f(frame.points.x[i], frame.points.y[i]) + shift;
+        frame.points.x[i] = p.x();
+        frame.points.y[i] = p.y();
+    }
+    frame.sensor.head<2>() = motion.of(Eigen::Vector2d(frame.sensor.head<2>()));
+    return frame;
+}
+
 }  // namespace vdamf

@@ -15,6 +15,14 @@ double shiftVariance(const Eigen::Matrix3d& covariance)
 }
 }  // namespace
 
+Eigen::Matrix3d byMotion(const Eigen::Vector2d& point)
+{
+    Eigen::Matrix3d j = Eigen::Matrix3d::Identity();
+    j(0, 2) = -point.y();
+    j(1, 2) = point.x();
+    return j;
+}
+
 EstimatedMotion commonMotion(const std::vector<StandingPoint>& points, const Eigen::Vector3d& prior)
 {
     constexpr double kFreedom = 4.0;  // of Student's distribution
@@ -27,14 +35,12 @@ EstimatedMotion commonMotion(const std::vector<StandingPoint>& points, const Eig
         Eigen::Vector3d sum = Eigen::Vector3d::Zero();
         for (const StandingPoint& point : points)
         {
-            Eigen::Matrix3d byMotion = Eigen::Matrix3d::Identity();
-            byMotion(0, 2) = -point.at.y();
-            byMotion(1, 2) = point.at.x();
+            const Eigen::Matrix3d byAll = byMotion(point.at);
             const Eigen::Matrix3d weights = point.innovation.covariance.inverse();
-            const Eigen::Vector3d rest = point.innovation.value - byMotion * motion;
+            const Eigen::Vector3d rest = point.innovation.value - byAll * motion;
             const double share = (kFreedom + 3.0) / (kFreedom + rest.dot(weights * rest));
-            const Eigen::Matrix3d gain = share * byMotion.transpose() * weights;
-            information += gain * byMotion;
+            const Eigen::Matrix3d gain = share * byAll.transpose() * weights;
+            information += gain * byAll;
             sum += gain * point.innovation.value;
         }
         covariance = information.inverse();

@@ -54,15 +54,6 @@ std::vector<StandingPoint> pointsSince(double first, const std::vector<Track>& t
     }
     return points;
 }
-
-// Of a point by shift and turn.
-Eigen::Matrix3d byMotion(const Eigen::Vector2d& point)
-{
-    Eigen::Matrix3d j = Eigen::Matrix3d::Identity();
-    j(0, 2) = -point.y();
-    j(1, 2) = point.x();
-    return j;
-}
 }  // namespace
 
 std::vector<StandingPoint> standingPoints(const std::vector<Track>& tracks,
@@ -101,13 +92,17 @@ std::optional<PlaneMotion> Alignment::motionOf(
     if (!options_.enabled) return std::nullopt;
     const auto change = errors_.after(standingPoints(tracks, sightings, options), dt_);
     if (!change) return std::nullopt;
-    if (covariance_.isZero(0.0))
+    if (!begun_)
     {
         // Until now tracks have taken the errors in: their world is where they were seen first.
+        constexpr double kShift = 0.5;  // m
+        constexpr double kTurn = 2.0 * kDegree;
+        const std::vector<StandingPoint> first = pointsSince(*firstTime_, tracks);
         const EstimatedMotion since =
-            commonMotion(pointsSince(*firstTime_, tracks), {0.25, 0.25, 0.001});
+            commonMotion(first, {kShift * kShift, kShift * kShift, kTurn * kTurn});
         motion_ = since.motion;
-        covariance_ = since.covariance;
+        if (!first.empty()) covariance_ = since.covariance;
+        begun_ = true;
     }
     // What stands keeps its place: errors grow as other things come to stand for it, and by what
     // nothing tells.
@@ -120,12 +115,12 @@ std::optional<PlaneMotion> Alignment::motionOf(
 
 TrackReport Alignment::aligned(TrackReport report, const Eigen::Vector2d& origin) const
 {
-    if (covariance_.isZero(0.0)) return report;
-    const PlaneMotion inWorld = motion_.about(-origin);
+    if (!begun_) return report;
+    const PlaneMotion toTracks = inWorld(origin);
     const Eigen::Matrix3d j = byMotion(report.box.centre() - origin);
     report.covariance.topLeftCorner<3, 3>() += j * covariance_ * j.transpose();
-    report.box = inWorld.of(report.box);
-    if (report.measuredBox) report.measuredBox = inWorld.of(*report.measuredBox);
+    report.box = toTracks.of(report.box);
+    if (report.measuredBox) report.measuredBox = toTracks.of(*report.measuredBox);
     return report;
 }
 

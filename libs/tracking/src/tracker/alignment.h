@@ -31,8 +31,9 @@ public:
                                         const std::vector<std::optional<Sighting>>& sightings,
                                         const VisibilityOptions& options);
 
-    /// From the frame's axes to the world of the tracks, about the frame's origin.
-    const PlaneMotion& motion() const { return motion_; }
+    /// From the world of the platform's poses to that of the tracks, for a frame with that origin
+    /// (m).
+    PlaneMotion inWorld(const Eigen::Vector2d& origin) const { return motion_.about(-origin); }
 
     /// A report of a frame with that origin (m) as it is in the world of the tracks.
     TrackReport aligned(TrackReport report, const Eigen::Vector2d& origin) const;
@@ -43,7 +44,8 @@ private:
     std::optional<double> firstTime_;
     double time_ = 0.0;  // of the last frame, s
     double dt_ = 0.0;    // since the one before
-    PlaneMotion motion_;
+    bool begun_ = false;
+    PlaneMotion motion_;  // from the frame's axes to the world of the tracks, about its origin
     Eigen::Matrix3d covariance_ = Eigen::Matrix3d::Zero();  // of shift and turn
 };
 

@@ -232,7 +232,7 @@ private:
         result.points = frame.points.size();
         result.pointsAboveGround = segmented.pointsAboveGround;
         result.clusters = segmented.clusters.size();
-        result.alignment = alignment_.motion();
+        result.alignment = alignment_.inWorld(frame.origin.head<2>());
         result.tracks.reserve(tracks_.size());
         for (const Track& track : tracks_)
             result.tracks.push_back(alignment_.aligned(

@@ -29,6 +29,8 @@ struct Annotations
     std::string configurationProblem;
     /// Tracks by the time stamp of their scan.
     std::map<mrpt::Clock::time_point, std::vector<TrackReport>> tables;
+    /// From the world of the poses to that of the tracks, where these differ; by time as well.
+    std::map<mrpt::Clock::time_point, PlaneMotion> alignments;
 };
 
 /// Reads the head and all tables of tracks. Throws std::runtime_error that names the file and what

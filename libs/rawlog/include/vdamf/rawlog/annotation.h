@@ -21,6 +21,8 @@ namespace vdamf
 inline constexpr const char* kAnnotationLabel = "vdamf_track";
 /// Of the frame's table.
 inline constexpr const char* kTableLabel = "vdamf_tracks";
+/// Of where the world of the poses lies in that of the tracks.
+inline constexpr const char* kAlignmentLabel = "vdamf_tracks_alignment";
 bool isAnnotation(const mrpt::obs::CObservation& observation);
 
 /// First entry of an annotated rawlog, in ini form: program version, world origin, columns of the
@@ -37,7 +39,8 @@ public:
     explicit Annotator(const OutputOptions& options) : options_(options) {}
 
     /// In the order of writing, all with the scan's time stamp: the table (`vdamf_tracks`, one row
-    /// a track, columns of annotationColumns()), the poses, the scene.
+    /// a track, columns of annotationColumns()), the poses, the alignment where there is one, the
+    /// scene.
     std::vector<mrpt::obs::CObservation::Ptr> annotate(const FrameResult& frame,
                                                        mrpt::Clock::time_point stamp);
 
@@ -50,6 +53,7 @@ private:
 
     mrpt::obs::CObservation::Ptr table(const FrameResult& frame) const;
     mrpt::obs::CObservation::Ptr pose(const TrackReport& track) const;
+    mrpt::obs::CObservation::Ptr alignment(const PlaneMotion& motion) const;
     mrpt::obs::CObservation::Ptr scene(const FrameResult& frame) const;
     void extendTrails(const FrameResult& frame);
 

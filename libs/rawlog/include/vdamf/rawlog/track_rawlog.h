@@ -74,7 +74,8 @@ struct TrackRawlogSummary
     bool interrupted = false;
 };
 
-/// Called after each frame with its result (for reports) and the share of the input read.
+/// Called after each frame with its result (for reports) and the share of the input read. The frame
+/// is in the world of the tracks.
 using FrameListener =
     std::function<void(const LadarFrame& frame, const FrameResult& result, double progress)>;
 

@@ -4,6 +4,7 @@
 
 #include "vdamf/rawlog/ins_trajectory.h"
 #include "vdamf/rawlog/scan.h"
+#include "vdamf/tracking/types/plane_motion.h"
 
 namespace vdamf
 {
@@ -30,5 +31,8 @@ DeskewedFrame toLadarFrame(const Scan& scan, const VehiclePose& pose, const InsT
 /// Intensities are kept where both have them; times are relative to the first frame's time, and a
 /// scan without times counts as seen at its own.
 LadarFrame merged(LadarFrame first, const LadarFrame& second);
+
+/// A frame in another world: hits, origin and sensor moved.
+LadarFrame movedBy(LadarFrame frame, const PlaneMotion& motion);
 
 }  // namespace vdamf

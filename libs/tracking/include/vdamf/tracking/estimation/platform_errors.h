@@ -41,6 +41,9 @@ struct StandingPoint
     Innovation innovation;  ///< of its place and heading; covariance with that of what was known
 };
 
+/// Place and heading of what is at a point by shift and turn of everything: their derivative.
+Eigen::Matrix3d byMotion(const Eigen::Vector2d& point);
+
 /// A motion with its covariance: of the shift by x and y and the turn, m and rad.
 struct EstimatedMotion
 {

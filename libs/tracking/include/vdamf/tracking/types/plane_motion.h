@@ -23,6 +23,7 @@ struct PlaneMotion
         const Eigen::Vector2d centre = of(box.centre());
         return {centre.x(), centre.y(), wrapAngle(box.heading + turn), box.length, box.width};
     }
+    bool isNone() const { return turn == 0.0 && shift.isZero(0.0); }
     PlaneMotion inverse() const { return {-turn, -(rotation(-turn) * shift)}; }
     /// The same motion told about another origin, at `point` in these axes (m).
     PlaneMotion about(const Eigen::Vector2d& point) const { return {turn, of(point) - point}; }

@@ -75,8 +75,8 @@ struct FrameResult
     std::size_t points = 0;           ///< in the frame
     std::size_t pointsAboveGround = 0;
     std::size_t clusters = 0;
-    /// From the world that the platform's poses say to that of the tracks, about the frame's
-    /// origin; no motion as long as these poses do not err.
+    /// From the world that the platform's poses say to that of the tracks, about its origin; no
+    /// motion as long as these poses do not err.
     PlaneMotion alignment;
 };
 
