@@ -104,6 +104,28 @@ TEST_F(Confirmation, WaitsForAWhileWhereWhatMayBeMovingMayDriveEitherWay)
     EXPECT_NEAR(track_.front.forwardProbability(), 0.5, 0.1);
 }
 
+TEST_F(Confirmation, OfFewHitsWhatMayDriveIsNotTakenToStand)
+{
+    // It seems to stand, and if it drives, it does so at 0 +- 2 m/s.
+    Track seemsToStand;
+    seemsToStand.sightings = 3;
+    seemsToStand.state.covariance(kSpeed, kSpeed) = 0.04;
+    seemsToStand.hypotheses->driving.front().covariance(kSpeed, kSpeed) = 4.0;
+    HeadingCues side;
+    side.side = FaceExtent{4.3, 1.0};
+    seemsToStand.front = HeadingBelief(side);
+    const auto statusWith = [&](int hits, int sightings)
+    {
+        Track track = seemsToStand;
+        track.hits = hits;
+        track.sightings = sightings;
+        return withConfirmation(track, options_.lifecycle).status;
+    };
+    EXPECT_EQ(statusWith(100, 3), TrackStatus::Confirmed);
+    EXPECT_EQ(statusWith(15, 3), TrackStatus::Tentative);
+    EXPECT_EQ(statusWith(15, 7), TrackStatus::Confirmed);
+}
+
 TEST_F(Confirmation, BeginsAnewWhereAxesAreExchanged)
 {
     int k = 0;

@@ -108,7 +108,12 @@ Track withConfirmation(Track track, const LifecycleOptions& options)
     constexpr double kStill = 1.0;  // m/s
     const int sightings = track.sightings - track.startedAt + 1;
     const double speedSigma = std::sqrt(track.state.covariance(kSpeed, kSpeed));
-    const double fastest = std::abs(track.state.mean(kSpeed)) + 2.0 * speedSigma;
+    // Of few hits, what drives seems to stand at first: as fast as it may be if it does not.
+    constexpr int kFewHits = 25;
+    const VehicleState& told =
+        track.hits < kFewHits ? track.hypotheses->driving.front() : track.state;
+    const double fastest =
+        std::abs(told.mean(kSpeed)) + 2.0 * std::sqrt(told.covariance(kSpeed, kSpeed));
     const bool isVague =
         track.front.axesProbability() < options.confirmAxes ||
         speedSigma > options.confirmSpeedSigma ||

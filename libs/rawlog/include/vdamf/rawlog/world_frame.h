@@ -32,7 +32,7 @@ DeskewedFrame toLadarFrame(const Scan& scan, const VehiclePose& pose, const InsT
 /// scan without times counts as seen at its own.
 LadarFrame merged(LadarFrame first, const LadarFrame& second);
 
-/// A frame in another world: hits, origin and sensor moved.
+/// A frame in another world: hits and sensor moved; its origin stays.
 LadarFrame movedBy(LadarFrame frame, const PlaneMotion& motion);
 
 }  // namespace vdamf
