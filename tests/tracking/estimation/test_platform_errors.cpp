@@ -12,36 +12,36 @@ namespace vdamf
 {
 namespace
 {
-constexpr double kFrame = 0.1;  // s
-constexpr double kPlaceError = 0.03;
-constexpr double kHeadingError = 0.02;
-const std::vector<Eigen::Vector2d> kParked{{8.0, -4.0}, {15.0, -4.0}, {22.0, -4.0},
-                                           {12.0, 5.0}, {-9.0, 4.0},  {-20.0, -5.0}};
-const PlaneMotion kMotion{0.004, {0.08, -0.05}};
-const Eigen::Vector3d kVague(1.0, 1.0, 1.0);
+constexpr double kFrameTime = 0.1;  // s
+constexpr double kPointError = 0.03;
+constexpr double kPointTurn = 0.02;
+const std::vector<Eigen::Vector2d> kStandingAt{{8.0, -4.0}, {15.0, -4.0}, {22.0, -4.0},
+                                               {12.0, 5.0}, {-9.0, 4.0},  {-20.0, -5.0}};
+const PlaneMotion kCommon{0.004, {0.08, -0.05}};
+const Eigen::Vector3d kAnyMotion(1.0, 1.0, 1.0);
 
 // What is parked, seen after everything moved, with errors as large as the covariance says.
-std::vector<StandingPoint> seenAfter(const PlaneMotion& motion, std::mt19937& random)
+std::vector<StandingPoint> seenAfterMotion(const PlaneMotion& motion, std::mt19937& random)
 {
     std::normal_distribution<double> gauss;
     std::vector<StandingPoint> points;
-    for (const Eigen::Vector2d& place : kParked)
+    for (const Eigen::Vector2d& place : kStandingAt)
     {
         StandingPoint point;
         point.at = motion.of(place);
         point.innovation.covariance =
-            Eigen::Vector3d(kPlaceError * kPlaceError, kPlaceError * kPlaceError,
-                            kHeadingError * kHeadingError)
+            Eigen::Vector3d(kPointError * kPointError, kPointError * kPointError,
+                            kPointTurn * kPointTurn)
                 .asDiagonal();
         point.innovation.value.head<2>() =
-            point.at - place + kPlaceError * Eigen::Vector2d(gauss(random), gauss(random));
-        point.innovation.value(2) = motion.turn + kHeadingError * gauss(random);
+            point.at - place + kPointError * Eigen::Vector2d(gauss(random), gauss(random));
+        point.innovation.value(2) = motion.turn + kPointTurn * gauss(random);
         points.push_back(point);
     }
     return points;
 }
 
-Eigen::Vector3d errorOf(const EstimatedMotion& found, const PlaneMotion& motion)
+Eigen::Vector3d errorOfMotion(const EstimatedMotion& found, const PlaneMotion& motion)
 {
     Eigen::Vector3d error;
     error << found.motion.shift - motion.shift, found.motion.turn - motion.turn;
@@ -56,8 +56,8 @@ TEST(CommonMotion, ErrsAsItsCovarianceSays)
     Eigen::Matrix3d told = Eigen::Matrix3d::Zero();
     for (int run = 0; run < kRuns; ++run)
     {
-        const EstimatedMotion found = commonMotion(seenAfter(kMotion, random), kVague);
-        const Eigen::Vector3d error = errorOf(found, kMotion);
+        const EstimatedMotion found = commonMotion(seenAfterMotion(kCommon, random), kAnyMotion);
+        const Eigen::Vector3d error = errorOfMotion(found, kCommon);
         scatter += error * error.transpose() / kRuns;
         told += found.covariance / kRuns;
     }
@@ -68,10 +68,10 @@ TEST(CommonMotion, ErrsAsItsCovarianceSays)
 TEST(CommonMotion, LeavesOutWhatSetsOff)
 {
     std::mt19937 random(4);
-    std::vector<StandingPoint> points = seenAfter(kMotion, random);
-    const EstimatedMotion before = commonMotion(points, kVague);
+    std::vector<StandingPoint> points = seenAfterMotion(kCommon, random);
+    const EstimatedMotion before = commonMotion(points, kAnyMotion);
     points[2].innovation.value.x() += 1.0;
-    const EstimatedMotion after = commonMotion(points, kVague);
+    const EstimatedMotion after = commonMotion(points, kAnyMotion);
     EXPECT_LT((after.motion.shift - before.motion.shift).norm(), 0.02);
     EXPECT_NEAR(after.motion.turn, before.motion.turn, 0.002);
 }
@@ -80,7 +80,7 @@ TEST(CommonMotion, StaysWithinWhatIsKnownBeforehand)
 {
     std::mt19937 random(5);
     const Eigen::Vector3d sure(1e-8, 1e-8, 1e-10);
-    const EstimatedMotion found = commonMotion(seenAfter(kMotion, random), sure);
+    const EstimatedMotion found = commonMotion(seenAfterMotion(kCommon, random), sure);
     EXPECT_LT(found.motion.shift.norm(), 0.001);
     EXPECT_LT(std::abs(found.motion.turn), 1e-4);
     const EstimatedMotion nothing = commonMotion({}, sure);
@@ -93,7 +93,7 @@ TEST(PlatformErrors, OfAGoodInsAreNone)
     std::mt19937 random(6);
     PlatformErrors errors{AlignmentOptions()};
     for (int frame = 0; frame < 300; ++frame)
-        ASSERT_FALSE(errors.after(seenAfter({}, random), kFrame)) << frame;
+        ASSERT_FALSE(errors.after(seenAfterMotion({}, random), kFrameTime)) << frame;
 }
 
 TEST(PlatformErrors, AreToldOnceTheyHaveShown)
@@ -107,10 +107,10 @@ TEST(PlatformErrors, AreToldOnceTheyHaveShown)
     {
         const PlaneMotion motion{0.003 * gauss(random),
                                  0.1 * Eigen::Vector2d(gauss(random), gauss(random))};
-        const auto found = errors.after(seenAfter(motion, random), kFrame);
+        const auto found = errors.after(seenAfterMotion(motion, random), kFrameTime);
         if (!found) continue;
         ++told;
-        square += squaredMahalanobis(errorOf(*found, motion), found->covariance);
+        square += squaredMahalanobis(errorOfMotion(*found, motion), found->covariance);
     }
     EXPECT_GT(told, 95);
     EXPECT_NEAR(square / (3.0 * told), 1.0, 0.3);
@@ -124,9 +124,9 @@ TEST(PlatformErrors, OfTheHeadingAloneAreToldToo)
     std::normal_distribution<double> gauss;
     PlatformErrors errors{AlignmentOptions()};
     for (int frame = 0; frame < 10; ++frame)
-        errors.after(seenAfter({0.006 * gauss(random), {}}, random), kFrame);
+        errors.after(seenAfterMotion({0.006 * gauss(random), {}}, random), kFrameTime);
     const PlaneMotion turned{0.006, {}};
-    const auto found = errors.after(seenAfter(turned, random), kFrame);
+    const auto found = errors.after(seenAfterMotion(turned, random), kFrameTime);
     ASSERT_TRUE(found);
     EXPECT_NEAR(found->motion.turn, turned.turn, 0.003);
 }
@@ -137,9 +137,9 @@ TEST(PlatformErrors, TakeMoreThanOneThingThatStands)
     PlatformErrors errors{AlignmentOptions()};
     for (int frame = 0; frame < 50; ++frame)
     {
-        std::vector<StandingPoint> one = seenAfter({0.0, {0.3, 0.0}}, random);
+        std::vector<StandingPoint> one = seenAfterMotion({0.0, {0.3, 0.0}}, random);
         one.resize(1);
-        ASSERT_FALSE(errors.after(one, kFrame));
+        ASSERT_FALSE(errors.after(one, kFrameTime));
     }
 }
 

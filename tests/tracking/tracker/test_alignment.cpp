@@ -19,7 +19,7 @@ const std::vector<OrientedBox> kParkedCars{{8.0, -4.5, 0.02, 4.4, 1.8},
                                            {23.0, -4.6, 0.03, 4.6, 1.8},
                                            {12.0, 5.0, 3.14, 4.3, 1.8},
                                            {26.0, 5.1, 3.12, 4.5, 1.8}};
-constexpr double kDriving = 5.0;  // m/s, of the platform and of the car that drives ahead
+constexpr double kDrivingBy = 5.0;  // m/s, of the platform and of the car that drives ahead
 
 // The frame as it comes out where the platform's pose errs by a motion about the sensor.
 LadarFrame withPoseOff(LadarFrame frame, const PlaneMotion& off)
@@ -36,7 +36,7 @@ LadarFrame withPoseOff(LadarFrame frame, const PlaneMotion& off)
     return frame;
 }
 
-struct Drive
+struct DriveByParked
 {
     double fastest = 0.0;    // m/s, of what is parked
     double farthest = 0.0;   // m, of what is parked, from where it stood
@@ -47,7 +47,7 @@ struct Drive
 };
 
 // 4 s past parked cars. Errors of the pose walk by `step` (m) and a hundredth of it (rad) a frame.
-Drive drive(double step, bool align)
+DriveByParked driveByParked(double step, bool align)
 {
     TrackerOptions options = optionsForBoxes();
     options.alignment.enabled = align;
@@ -55,14 +55,14 @@ Drive drive(double step, bool align)
     std::mt19937 random(11);
     std::normal_distribution<double> gauss;
     PlaneMotion off;
-    Drive result;
+    DriveByParked result;
     for (int k = 0; k < 40; ++k)
     {
         const double time = 0.1 * k;
-        std::vector<ExampleBody> bodies{{{14.0 + kDriving * time, 0.0, 0.0, 4.4, 1.8}}};
+        std::vector<ExampleBody> bodies{{{14.0 + kDrivingBy * time, 0.0, 0.0, 4.4, 1.8}}};
         for (const OrientedBox& box : kParkedCars) bodies.push_back({box});
         const LadarFrame frame =
-            exampleFrame(time, {kDriving * time, 0.0}, bodies, 50 + static_cast<unsigned>(k));
+            exampleFrame(time, {kDrivingBy * time, 0.0}, bodies, 50 + static_cast<unsigned>(k));
         const FrameResult found = tracker.process(withPoseOff(frame, off));
         result.aligned += found.alignment.turn != 0.0 ? 1 : 0;
         result.farFrom = off.shift.norm();
@@ -77,7 +77,7 @@ Drive drive(double step, bool align)
                         std::max(result.farthest, (track->box.centre() - box.centre()).norm());
                 }
             if (const TrackReport* track = confirmedNear(found, bodies[0].box.centre(), 3.0))
-                result.drivenOff = std::max(result.drivenOff, std::abs(track->speed - kDriving));
+                result.drivenOff = std::max(result.drivenOff, std::abs(track->speed - kDrivingBy));
         }
         off.turn += 0.01 * step * gauss(random);
         off.shift += step * Eigen::Vector2d(gauss(random), gauss(random));
@@ -87,8 +87,8 @@ Drive drive(double step, bool align)
 
 TEST(Alignment, KeepsParkedCarsWhereTheyAreThoughPosesErr)
 {
-    const Drive with = drive(0.1, true);
-    const Drive without = drive(0.1, false);
+    const DriveByParked with = driveByParked(0.1, true);
+    const DriveByParked without = driveByParked(0.1, false);
     ASSERT_GT(with.farFrom, 0.4);
     EXPECT_GT(with.seen, 80);
     EXPECT_LT(with.fastest, 0.1);
@@ -101,7 +101,7 @@ TEST(Alignment, KeepsParkedCarsWhereTheyAreThoughPosesErr)
 
 TEST(Alignment, DoesNothingWherePosesAreGood)
 {
-    const Drive good = drive(0.005, true);
+    const DriveByParked good = driveByParked(0.005, true);
     EXPECT_EQ(good.aligned, 0);
     EXPECT_LT(good.fastest, 0.1);
 }
