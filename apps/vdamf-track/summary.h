@@ -8,6 +8,7 @@
 #include <string>
 
 #include "vdamf/rawlog/track_rawlog.h"
+#include "vdamf/tracking/types/geometry.h"
 
 namespace vdamf
 {
@@ -21,7 +22,6 @@ inline std::string joinedInQuotes(const std::vector<std::string>& names)
 /// What is wrong with the poses, on stderr.
 inline void warnOfPoses(const TrackRawlogSummary& s, const std::string& input)
 {
-    constexpr double kDegrees = 57.29577951308232;
     constexpr double kDoubtful = 20.0;  // deg
     const auto number = [](std::uint64_t n) { return static_cast<unsigned long long>(n); };
     if (s.ins.gaps > 0)
@@ -32,7 +32,7 @@ inline void warnOfPoses(const TrackRawlogSummary& s, const std::string& input)
     if (s.ins.timeJumps > 0)
         std::fprintf(stderr, "%s: the clock of the poses goes back %llu times\n", input.c_str(),
                      number(s.ins.timeJumps));
-    const double turned = kDegrees * s.ins.imuLessCourse.value_or(0.0);
+    const double turned = s.ins.imuLessCourse.value_or(0.0) / kDegree;
     if (std::abs(turned) > kDoubtful)
         std::fprintf(stderr,
                      "%s: the heading of the IMU is %.0f degrees from the course: set [ins] "
@@ -60,13 +60,11 @@ inline std::string posesText(const TrackRawlogSummary& s)
            count(s.ins.impossible, "impossible ones left out");
 }
 
-/// "in 157 frames by what stands, up to 0.43 m and 0.9 deg"; empty if they were not.
+/// "in 157 frames by what stands, up to 0.43 m and 0.9 deg".
 inline std::string correctionText(const TrackRawlogSummary& s)
 {
-    constexpr double kDegrees = 57.29577951308232;
-    if (s.aligned == 0) return "";
     char most[64];
-    std::snprintf(most, sizeof most, "%.2f m and %.1f deg", s.mostShifted, kDegrees * s.mostTurned);
+    std::snprintf(most, sizeof most, "%.2f m and %.1f deg", s.mostShifted, s.mostTurned / kDegree);
     return "in " + std::to_string(s.aligned) + " frames by what stands, up to " + most;
 }
 
