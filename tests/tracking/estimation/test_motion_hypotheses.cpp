@@ -186,6 +186,31 @@ TEST(MotionHypotheses, WhatIsKnownToBeHardlyFasterThanNothingStands)
     EXPECT_LT(standingLater(6.0, 0.1), 0.15);
 }
 
+// A row of hits between what hides its ends stays where it is for a frame or two.
+TEST(MotionHypotheses, WhatDrivesFastDoesNotStandAtOnce)
+{
+    Follower follower;
+    double x = 0.0;
+    for (int k = 0; k < 40; ++k) follower.see(x += 1.2);
+    EXPECT_LT(follower.hypotheses.standingProbability, 1e-3);
+    follower.see(x);
+    EXPECT_LT(follower.hypotheses.standingProbability, 0.2);
+    EXPECT_GT(follower.hypotheses.combined(MotionOptions()).mean(kSpeed), 8.0);
+    for (int k = 0; k < 5; ++k) follower.see(x);
+    EXPECT_GT(follower.hypotheses.standingProbability, 0.5) << "nothing is ruled out";
+}
+
+// However well it is foretold: cars that wait set off.
+TEST(MotionHypotheses, WhatStandsMaySetOffAtAnyTime)
+{
+    Follower follower(0.1);
+    for (int k = 0; k < 100; ++k) follower.see(0.0);
+    EXPECT_LT(follower.hypotheses.unrest.calm(), 0.1);
+    EXPECT_GT(follower.hypotheses.drivingProbability.front(), 0.02);
+    for (double t = 0.1; t < 0.65; t += 0.1) follower.see(t * t);  // at 2 m/s^2
+    EXPECT_LT(follower.hypotheses.standingProbability, 0.5);
+}
+
 TEST(MotionHypotheses, WhatIsHiddenDrivesOn)
 {
     Follower follower;

@@ -115,6 +115,51 @@ TEST(FaceErrorsOf, CountALostEndLess)
     EXPECT_NEAR(seen.sigma[0][1], 1.0, 1e-12);
 }
 
+TEST(FaceErrorsOf, HardlyMindAWidthThatIsShortByLessThanRowsErr)
+{
+    const VisibilityOptions options;
+    const VehicleState before = known({20.0, 5.0, 0.0, 4.5, 1.8}, 0.1);
+    const auto worst = [&](double width)
+    {
+        const Measurement m =
+            measured({20.0, 5.0 - 0.5 * (1.8 - width), 0.0, 4.5, width}, faces({Face::Back}));
+        const FaceErrors errors = faceErrors(m, before, options);
+        return std::max(errors.sigma[1][0], errors.sigma[1][1]);
+    };
+    EXPECT_EQ(worst(1.81), options.sizeSigma);
+    EXPECT_EQ(worst(1.77), options.sizeSigma);
+    EXPECT_NEAR(worst(1.7), options.shortfallSigma * 2.0 / 3.0, 1e-12);
+    EXPECT_EQ(worst(1.6), options.shortfallSigma);
+    EXPECT_NEAR(worst(1.2), 0.6, 1e-12);
+}
+
+// A car abreast shows a side, and neither end.
+TEST(BoxThrough, HoldsTheMiddleOfARowThatIsAsLongAsTheVehicle)
+{
+    VisibilityOptions options;
+    const VehicleState before = known({0.0, 4.0, 0.0, 4.5, 1.8}, 0.1);
+    const auto through = [&](double length, double sigma)
+    {
+        Measurement m = measured({0.3, 4.0, 0.0, length, 1.8}, faces({Face::Right}));
+        m.covariance = Matrix5d::Identity() * 1e-4;
+        m.covariance(3, 3) = sigma * sigma;
+        return boxThrough(m, faceErrors(m, before, options), before.size(), {-1.5, 0.0}, options);
+    };
+    const auto errorAlong = [](const BoxMeasurement& box)
+    { return std::sqrt(measuredPoint(box).covariance(0, 0)); };
+    for (const double length : {4.5, 4.6, 4.4})
+    {
+        const BoxMeasurement box = through(length, 0.08);
+        EXPECT_EQ(box.fixedPoint.x(), 0.0);
+        EXPECT_LT(errorAlong(box), 0.06) << length;
+        EXPECT_GT(std::sqrt(box.covariance(3, 3)), 0.2) << "of the length it tells no more";
+    }
+    for (const double length : {4.2, 4.8}) EXPECT_NE(through(length, 0.08).fixedPoint.x(), 0.0);
+    EXPECT_GT(errorAlong(through(4.5, 0.2)), 0.1) << "a row of few hits";
+    options.correction = VisibilityCorrection::Corner;
+    EXPECT_NE(through(4.5, 0.08).fixedPoint.x(), 0.0) << "as in the paper";
+}
+
 TEST(OpenToGrowth, LetsTheLengthFollowWithTheRearInPlace)
 {
     const VisibilityOptions options;

@@ -26,6 +26,7 @@ constexpr std::array<double, MotionHypotheses::kWays> kAtStart{0.5, 0.25, 0.25};
 constexpr std::array<Steering, MotionHypotheses::kWays> kSteerings{
     Steering::VariableAxis, Steering::Turning, Steering::Steady};
 constexpr double kLeastProbability = 0.02;  // of a probability: nothing is ruled out
+constexpr double kLeastStanding = 1e-4;     // of what is known to be fast
 constexpr double kLeastOfWays = 5e-4;       // those come back by their rates
 constexpr double kRefuted = 0.05;           // of the standing hypothesis
 constexpr double kFree = 0.03;              // of what moves, does not follow wheels
@@ -199,7 +200,8 @@ MotionHypotheses predicted(const MotionHypotheses& h, double dt, VehicleKalmanFi
 {
     const double stays = std::exp(-dt / kRestTime);
     const double calm = h.unrest.calm();
-    MotionHypotheses next = interacting(h, dt, calm);
+    // What stands is foretold well, and sets off as often as others begin to change their speed.
+    MotionHypotheses next = interacting(h, dt, calm + (1.0 - calm) * h.standingProbability);
     for (VehicleState& state : next.driving) state = filter.predict(state, dt, calm);
     next.unrest = h.unrest.later(dt);
     next.standing = standingLater(h.standing, dt, options);
@@ -243,9 +245,13 @@ MotionHypotheses updated(const MotionHypotheses& h, const BoxMeasurement& measur
 
     const Rest rests = restOf(h, sharp, nisGate);
     const Rest restsByAll = restOf(h, foretold.whole, nisGate);
+    // What surely drives does not stand at once.
+    const double least =
+        std::clamp(restProbability(h.driving.front()), kLeastStanding, kLeastProbability);
     // What stands seems to move as its view changes: jitter tells that it stands, and no more than
     // the whole error that it does not.
-    next.standingProbability = bounded(std::max(rests.standing, restsByAll.standing));
+    next.standingProbability =
+        std::clamp(std::max(rests.standing, restsByAll.standing), least, 1.0 - kLeastProbability);
     if (h.freeProbability > 0.0) next.freeProbability = bounded(restsByAll.free);
 
     const bool refuted = next.standingProbability < kRefuted;

@@ -48,6 +48,15 @@ SizeChange sizeChange(const Measurement& m, const VehicleState& predicted, int a
     return {change, change / std::sqrt(variance)};
 }
 
+// Whether both ends of an axis are told by the row of hits along a face between them.
+bool isWholeRow(const Measurement& m, int axis)
+{
+    const FaceSet located = locatedFaces(m);
+    for (const Face end : kFaceAt[axis])
+        if (!located.has(end) || m.facesSeen.has(end)) return false;
+    return true;
+}
+
 // Whether hits lie beyond an end whose place is hidden: it is there at the least. Where the other
 // end is told, they do so only if they make the whole longer.
 bool reachesBeyond(const Measurement& m, const VehicleState& predicted, int axis, int end,
@@ -58,6 +67,31 @@ bool reachesBeyond(const Measurement& m, const VehicleState& predicted, int axis
     return m.facesSeen.seesAlong(axis) && m.hiddenEnds.has(face) && !m.facesSeen.has(face) &&
            (!otherIsTold || growth > o.sizeSigma) &&
            outside(m.box, predicted.box(), axis, end) > o.sizeSigma;
+}
+
+// Whether a row of hits from end to end is well measured and as long as is known.
+bool isAsKnown(const Measurement& m, const VehicleState& predicted, int axis,
+               const VisibilityOptions& o)
+{
+    if (!isWholeRow(m, axis)) return false;
+    constexpr double kWellMeasured = 0.8;  // of what rows err
+    const double known = std::sqrt(predicted.sizeVariance()(axis));
+    const double measured = std::sqrt(m.covariance(3 + axis, 3 + axis));
+    return std::abs(sizeChange(m, predicted, axis, o).metres) < o.sizeSigma &&
+           known < o.sizeSigma && measured < kWellMeasured * o.sizeSigma;
+}
+
+// Model error of a row of hits from end to end: its ends recede alike, where a body is round, so
+// its middle is better known than either.
+Matrix5d ofWholeRow(const FaceErrors& errors, const Eigen::Matrix2d& axes, int axis)
+{
+    constexpr double kMiddle = 0.05;  // m
+    const Vector5d low = byFace(axes, axis, 0);
+    const Vector5d high = byFace(axes, axis, 1);
+    const Vector5d shift = kMiddle * (low + high);
+    const Vector5d growth =
+        0.5 * std::hypot(errors.sigma[axis][0], errors.sigma[axis][1]) * (high - low);
+    return shift * shift.transpose() + growth * growth.transpose();
 }
 
 // Model error of the heading, rad.
@@ -113,10 +147,17 @@ FaceErrors faceErrors(const Measurement& m, const VehicleState& predicted,
                 errors.sigma[axis][end] = o.shortfallSigma;
         if (!errors.tells(axis, 0) || !errors.tells(axis, 1)) continue;
         const SizeChange change = sizeChange(m, predicted, axis, o);
+        errors.isAsKnown[axis] =
+            o.correction == VisibilityCorrection::Faces && isAsKnown(m, predicted, axis, o);
         if (change.metres > 0.0) continue;
         const int end = suspect(m, predicted, axis, -1.0);
         if (o.correction == VisibilityCorrection::Faces)
-            errors.sigma[axis][end] = std::max(-change.metres, o.shortfallSigma);
+        {
+            // A width that is short by less than rows err is hardly cut short.
+            const double cut = axis == 1 ? std::min(1.0, -change.metres / o.sizeSigma) : 1.0;
+            errors.sigma[axis][end] =
+                std::max({errors.sigma[axis][end], cut * o.shortfallSigma, -change.metres});
+        }
         else if (change.sigmas < -kClear)
             errors.sigma[axis][end] = FaceErrors::kNotTold;
     }
@@ -179,6 +220,12 @@ BoxMeasurement boxThrough(const Measurement& m, const FaceErrors& errors,
     {
         const bool has[2] = {errors.tells(axis, 0), errors.tells(axis, 1)};
         if (has[0] != has[1]) fixed(axis) = signOfEnd(has[1] ? 1 : 0);
+        if (errors.isAsKnown[axis])
+        {
+            fixed(axis) = 0.0;
+            modelError += ofWholeRow(errors, r, axis);
+            continue;
+        }
         if (!has[0] || !has[1])
         {
             offset(axis) = 0.5 * fixed(axis) * (size(axis) - known(axis));

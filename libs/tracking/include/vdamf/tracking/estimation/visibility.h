@@ -101,6 +101,9 @@ FaceSet locatedFaces(const Measurement& measurement);
 struct FaceErrors
 {
     double sigma[2][2] = {};
+    /// Whether the row of hits along a face is as long as the vehicle is known to be, from one
+    /// end to the other: then its middle is the vehicle's, to 5 cm.
+    bool isAsKnown[2] = {};
 
     static constexpr double kNotTold = 100.0;  ///< of a face that a measurement does not tell, m
     bool tells(int axis, int end) const { return sigma[axis][end] < kNotTold; }
@@ -112,7 +115,8 @@ FaceErrors faceErrors(const Measurement& measurement, const VisibilityOptions& o
 
 /// The same with what the predicted state tells of visibility (4.5). Rows of hits end short of the
 /// vehicle rather than beyond it, so a face that falls behind the one known counts less, by as
-/// much as the whole box is too small. One that is hidden is no nearer than the hits: it counts
+/// much as the whole box is too small (widths by less, where they are short by less than rows
+/// err). One that is hidden is no nearer than the hits: it counts
 /// where they reach beyond the one known.
 FaceErrors faceErrors(const Measurement& measurement, const VehicleState& predicted,
                       const VisibilityOptions& options);
