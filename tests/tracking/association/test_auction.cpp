@@ -117,6 +117,28 @@ TEST(AssignClusters, VagueAlongTheWayReachesAlongTheWay)
     EXPECT_TRUE(takes(line({9.0, 2.9}, {11.5, 2.9})));
 }
 
+// Seen once, at the end of a revolution: where it is then in the next one is as open as its speed.
+TEST(AssignClusters, ReachesAsFarAsATargetMayHaveMovedByTheTimeOfTheHits)
+{
+    constexpr double kSpeedSigma = 16.0;  // m/s
+    const double lag = 0.08;
+    PredictedTarget fast = predictedCar(10.0, 0.0);
+    // Of a place that is exact at the lag, carried to the frame's time a revolution later.
+    const double since = 0.1 - lag;
+    fast.positionSigma = {kSpeedSigma * since, 0.0};
+    fast.speedSigma = kSpeedSigma;
+    fast.speedCovariance = kSpeedSigma * kSpeedSigma * since;
+    const auto takes = [&](double moved, double time)
+    {
+        Hits end = line({12.25 + moved, -0.9}, {12.25 + moved, 0.9});
+        end.time = time;
+        return !assignClusters({fast}, {end}, {}).front().empty();
+    };
+    EXPECT_TRUE(takes(2.9, lag)) << "29 m/s";
+    EXPECT_FALSE(takes(2.9, 0.0)) << "145 m/s";
+    EXPECT_FALSE(takes(8.0, lag)) << "80 m/s";
+}
+
 TEST(AssignClusters, AVehicleIsNoPartOfTheHedgeAroundIt)
 {
     const std::vector<Hits> clusters{line({8.0, -0.9}, {12.0, -0.9})};

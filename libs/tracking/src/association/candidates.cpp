@@ -20,6 +20,18 @@ double sweepOf(const std::vector<Hits>& clusters)
     return sweep;
 }
 
+// Of a target's centre along and across its box at a time, m. Beyond the greatest ones what is
+// there is no likelier this target than a new one.
+Eigen::Vector2d placeSigma(const PredictedTarget& target, double time)
+{
+    constexpr double kGreatest = 2.0;  // m
+    const double along = target.positionSigma.x();
+    const double moved = time * target.speedSigma;
+    const double variance = along * along + 2.0 * time * target.speedCovariance + moved * moved;
+    return Eigen::Vector2d(std::sqrt(std::max(0.0, variance)), target.positionSigma.y())
+        .cwiseMin(kGreatest);
+}
+
 std::vector<PlaneBounds> reachOf(const std::vector<PredictedTarget>& targets, double sweep,
                                  const AssociationOptions& options)
 {
@@ -33,8 +45,11 @@ std::vector<PlaneBounds> reachOf(const std::vector<PredictedTarget>& targets, do
         const double s = std::abs(forward.sin);
         const Eigen::Vector2d half(0.5 * (c * t.box.length + s * t.box.width),
                                    0.5 * (s * t.box.length + c * t.box.width));
-        const double margin = gate * std::hypot(options.surfaceSigma, t.positionSigma.maxCoeff()) +
-                              sweep * t.velocity.norm();
+        const double vaguest =
+            std::max({placeSigma(t, -sweep).maxCoeff(), placeSigma(t, 0.0).maxCoeff(),
+                      placeSigma(t, sweep).maxCoeff()});
+        const double margin =
+            gate * std::hypot(options.surfaceSigma, vaguest) + sweep * t.velocity.norm();
         const Eigen::Vector2d reach = half.array() + margin;
         all.push_back({t.box.centre() - reach, t.box.centre() + reach});
     }
@@ -48,24 +63,18 @@ PlaneBounds boundsOf(const Hits& hits)
 }
 }  // namespace
 
-TargetSurface::TargetSurface(const PredictedTarget& target, const AssociationOptions& options)
-    : centre_(target.box.centre()),
-      velocity_(target.velocity),
+TargetSurface::TargetSurface(const PredictedTarget& target, double time,
+                             const AssociationOptions& options)
+    : centre_(target.box.centre() + time * target.velocity),
       half_(0.5 * target.box.length, 0.5 * target.box.width),
       forward_(directionOf(target.box.heading)),
-      weight_((target.positionSigma.array().square() + options.surfaceSigma * options.surfaceSigma)
-                  .inverse()),
+      weight_(
+          (placeSigma(target, time).array().square() + options.surfaceSigma * options.surfaceSigma)
+              .inverse()),
       // Vague targets pay for their reach, so that a precise one wins a cluster both could explain.
       worth_(0.5 * squaredGate(options) +
              0.25 * std::log(weight_.prod() * std::pow(options.surfaceSigma, 4)))
 {
-}
-
-TargetSurface TargetSurface::at(double time) const
-{
-    TargetSurface then = *this;
-    then.centre_ += time * velocity_;
-    return then;
 }
 
 double TargetSurface::benefit(const Hits& hits) const
@@ -120,10 +129,8 @@ double squaredGate(const AssociationOptions& options)
 CandidateFinder::CandidateFinder(const std::vector<PredictedTarget>& targets,
                                  const std::vector<Hits>& clusters,
                                  const AssociationOptions& options)
-    : index_(reachOf(targets, sweepOf(clusters), options))
+    : targets_(targets), options_(options), index_(reachOf(targets, sweepOf(clusters), options))
 {
-    surfaces_.reserve(targets.size());
-    for (const PredictedTarget& target : targets) surfaces_.emplace_back(target, options);
 }
 
 std::vector<std::size_t> CandidateFinder::inReach(const Hits& hits) const

@@ -17,11 +17,8 @@ namespace vdamf
 class TargetSurface
 {
 public:
-    /// At the frame's time.
-    TargetSurface(const PredictedTarget& target, const AssociationOptions& options);
-
     /// At the time of some hits, s after the frame's.
-    TargetSurface at(double time) const;
+    TargetSurface(const PredictedTarget& target, double time, const AssociationOptions& options);
 
     /// Squared distance of a place from the box in standard deviations, 0 inside.
     double squaredDistance(double x, double y) const
@@ -62,7 +59,6 @@ private:
     }
 
     Eigen::Vector2d centre_;
-    Eigen::Vector2d velocity_;
     Eigen::Vector2d half_;
     Direction forward_;
     Eigen::Vector2d weight_;  // inverse variances along and across, 1/m^2
@@ -82,7 +78,7 @@ struct Candidate
 class CandidateFinder
 {
 public:
-    /// For these clusters and no others.
+    /// For these clusters and no others; the targets have to outlive it.
     CandidateFinder(const std::vector<PredictedTarget>& targets, const std::vector<Hits>& clusters,
                     const AssociationOptions& options);
 
@@ -94,11 +90,12 @@ public:
     /// Of a target at the time of some hits.
     TargetSurface surfaceOf(std::size_t target, const Hits& hits) const
     {
-        return surfaces_[target].at(hits.time);
+        return {targets_[target], hits.time, options_};
     }
 
 private:
-    std::vector<TargetSurface> surfaces_;
+    const std::vector<PredictedTarget>& targets_;
+    AssociationOptions options_;
     PlaneIndex index_;
 };
 

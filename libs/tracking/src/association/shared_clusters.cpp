@@ -118,8 +118,7 @@ std::vector<Cluster> cutBetween(const Cluster& cluster, const std::vector<Predic
                                 double time, const AssociationOptions& options)
 {
     std::vector<TargetSurface> surfaces;
-    for (const PredictedTarget& target : targets)
-        surfaces.push_back(TargetSurface(target, options).at(time));
+    for (const PredictedTarget& target : targets) surfaces.emplace_back(target, time, options);
     std::vector<Cluster> pieces(targets.size());
     for (std::size_t i = 0; i < cluster.size(); ++i)
     {

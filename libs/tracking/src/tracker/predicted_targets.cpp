@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tracker/predicted_targets.h"
 
+#include <cmath>
+
 #include "vdamf/tracking/estimation/assumed_size.h"
 
 namespace vdamf
@@ -21,6 +23,8 @@ std::vector<PredictedTarget> predictedTargets(const std::vector<Track>& tracks,
         target.lengthSigma = isAsLarge ? track.lengthSigma() : 0.0;
         target.widthSigma = isAsLarge ? track.widthSigma() : 0.0;
         target.velocity = track.velocity();
+        target.speedSigma = std::sqrt(track.state.covariance(kSpeed, kSpeed));
+        target.speedCovariance = track.speedCovariance();
         const double probability = discriminator.vehicleProbability(track);
         target.isCar = probability > kSurelyAVehicle && track.height < kLowestTruck &&
                        track.box().width < widestCar(track.height);

@@ -89,16 +89,19 @@ struct Track
     }
     /// Of the centre along each axis, about, m.
     double positionSigma() const { return std::sqrt(0.5 * boxSigma().squaredNorm()); }
-    /// Of the centre along and across the box, m. Beyond the greatest ones what is there is no
-    /// likelier this target than a new one.
+    /// Of the centre along and across the box, m.
     Eigen::Vector2d boxSigma() const
     {
-        constexpr double kGreatest = 2.0;  // m
         const Eigen::Matrix2d axes = rotation(state.mean(kHeading));
         const Eigen::Matrix2d position =
             state.covariance.topLeftCorner<2, 2>() + lastingError.topLeftCorner<2, 2>();
         const Eigen::Vector2d variances = (axes.transpose() * position * axes).diagonal();
-        return variances.cwiseMax(0.0).cwiseSqrt().cwiseMin(kGreatest);
+        return variances.cwiseMax(0.0).cwiseSqrt();
+    }
+    /// Covariance of the place of the centre along the box and the speed, m^2/s.
+    double speedCovariance() const
+    {
+        return rotation(state.mean(kHeading)).col(0).dot(state.covariance.block<2, 1>(kX, kSpeed));
     }
     double lengthSigma() const { return std::sqrt(state.covariance(kLength, kLength)); }
     double widthSigma() const { return std::sqrt(state.widthVariance); }

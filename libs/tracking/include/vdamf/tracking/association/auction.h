@@ -44,6 +44,10 @@ struct PredictedTarget
     double widthSigma = 0.0;      ///< m
     /// With which the box moves on to the time of each cluster (Hits::time), m/s.
     Eigen::Vector2d velocity = Eigen::Vector2d::Zero();
+    /// Of the speed along the box, m/s, and its covariance with the place of the centre along it,
+    /// m^2/s: at the time of a cluster that place is better or less known than at the frame's.
+    double speedSigma = 0.0;
+    double speedCovariance = 0.0;
     /// Surely: what goes on beyond its box is something else. Trucks are open between their axles,
     /// and what is taken for the end of one may be.
     bool isCar = false;
