@@ -81,6 +81,45 @@ TEST(Discriminate, LooksAtFewerFramesOnceItKnows)
     EXPECT_EQ(looksIn(always(2.0), 45), looksIn(always(-2.0), 45)) << "sure that it is none";
 }
 
+// A flat end that is hit in two parts, a revolution and 0.8 m apart, is as flat as at one time.
+TEST(Discriminate, PutsTogetherWhatWasHitAtBothEndsOfARevolution)
+{
+    DiscriminatorOptions options;
+    options.keepFeatures = true;
+    const Discriminator discriminator{options};
+    constexpr float kSpeed = 8.0F;
+    const auto features = [&](float speed, bool areParts)
+    {
+        Cluster rear;
+        for (int i = 0; i < 40; ++i)
+        {
+            const float time = i < 20 ? 0.0F : 0.1F;
+            rear.x.push_back(-2.0F + speed * (time - 0.05F));
+            rear.y.push_back(0.05F * (static_cast<float>(i) - 19.5F));
+            rear.height.push_back(0.2F + 0.3F * static_cast<float>(i % 4));
+            rear.z.push_back(rear.height.back());
+            rear.time.push_back(time);
+        }
+        SegmentedFrame frame;
+        frame.sensor = {-15.0, 0.0};
+        frame.points = 1000;
+        frame.clusters.push_back(rear);
+        Track track = carAlong(3);
+        track.hits = 40;
+        track.areParts = areParts;
+        track.state.mean << 0.0, 0.0, 0.0, speed, 0.0, 1.2, 4.3;
+        return discriminator.judged(track, frame, {0}).features;
+    };
+    const std::vector<float> atOnce = features(0.0F, false);
+    const std::vector<float> inParts = features(kSpeed, true);
+    ASSERT_EQ(atOnce.size(), inParts.size());
+    float most = 0.0F;
+    for (std::size_t i = 0; i < atOnce.size(); ++i)
+        most = std::max(most, std::abs(atOnce[i] - inParts[i]));
+    EXPECT_LT(most, 1e-3F);
+    EXPECT_NE(features(kSpeed, false), inParts);
+}
+
 TEST(Discriminate, LooksAgainWhereMoreOrLessIsSeen)
 {
     const Discriminator discriminator = always(2.0);

@@ -2,6 +2,7 @@
 // Which side of a box is taken for the front, where one side or a part of it is in view.
 #include <gtest/gtest.h>
 
+#include "tracker/track.h"
 #include "tracking/tracker/example_frames.h"
 #include "vdamf/tracking/tracker/tracker.h"
 
@@ -45,6 +46,17 @@ double worstHeading(const DrivingBody& scene, int frames, int from, double perio
         worst = std::max(worst, degreesOff(track->box.heading, box.heading, period));
     }
     return worst;
+}
+
+TEST(Headings, RowsAlongAnUnknownHeadingTellNoSizes)
+{
+    Sighting sighting;
+    sighting.measurement.facesSeen.add(Face::Back);
+    sighting.measurement.covariance = Matrix5d::Identity() * 1e-3;
+    sighting.end = {3.2, 19.0, 0.0};
+    EXPECT_TRUE(sizeCues(sighting, 1.5).end);
+    sighting.measurement.covariance(2, 2) = 1.2;
+    EXPECT_FALSE(sizeCues(sighting, 1.5).end);
 }
 
 TEST(Headings, WideEndsOfCarsAreNoSides)

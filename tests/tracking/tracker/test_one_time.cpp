@@ -57,5 +57,45 @@ TEST(OneTime, HitsWithoutTimesStayWhereTheyAre)
         EXPECT_NEAR(seen.each->x[i], i % 2 == 0 ? 20.0 : 20.2, 1e-5) << i;
     EXPECT_EQ(&*seen.hits, &frame.hits.front()) << "copied for nothing";
 }
+
+// The left half of a car's rear, and a revolution later, 1 m farther on, the right one.
+SegmentedFrame rearInHalves()
+{
+    Cluster rear;
+    for (int i = 0; i < 5; ++i)
+        for (const float side : {1.0F, -1.0F})
+        {
+            const float time = side > 0.0F ? 0.0F : 0.1F;
+            rear.x.push_back(20.0F + 10.0F * time);
+            rear.y.push_back(side * (0.1F + 0.2F * static_cast<float>(i)));
+            rear.z.push_back(0.5F);
+            rear.height.push_back(0.5F);
+            rear.time.push_back(time);
+        }
+    SegmentedFrame frame;
+    frame.clusters.push_back(rear);
+    frame.hits.push_back(projectHits(rear, 0.0));
+    return frame;
+}
+
+TEST(OneTime, PartsOfTwoRevolutionsMayBeTurnedWhileTheSpeedChanges)
+{
+    TargetMotion motion = tenMetresPerSecond();
+    motion.speedSigma = 0.3;
+    motion.changes = 0.4;
+    const HitsAtOneTime seen = hitsAtOneTime(rearInHalves(), {0}, motion, 0.0);
+    EXPECT_TRUE(seen.areParts);
+    EXPECT_EQ(seen.each->size(), 10U);
+    // 0.5 m/s over 0.1 s, between halves whose middles are 1 m apart.
+    EXPECT_NEAR(seen.turnSigma, 0.05, 1e-3);
+    motion.velocity = {0.0, 0.0};
+    EXPECT_EQ(hitsAtOneTime(rearInHalves(), {0}, motion, 0.0).turnSigma, 0.0) << "it stands";
+    motion.speedSigma = 16.0;
+    const HitsAtOneTime part = hitsAtOneTime(rearInHalves(), {0}, motion, 0.0);
+    EXPECT_EQ(part.each->size(), 5U);
+    EXPECT_TRUE(part.goesOn);
+    EXPECT_EQ(part.turnSigma, 0.0);
+    EXPECT_FALSE(hitsAtOneTime(rearInTwoShots(true), {0}, motion, 0.0).areParts);
+}
 }  // namespace
 }  // namespace vdamf

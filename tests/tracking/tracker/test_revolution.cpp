@@ -56,6 +56,32 @@ TEST(Revolution, ACarAtItsSeamIsOneCarOfItsOwnSize)
     EXPECT_EQ(ids.size(), 1U);
 }
 
+// While its speed is not known to the decimetre per second, one of its halves seems to be ahead.
+TEST(Revolution, ACarThatBrakesAtItsSeamKeepsItsHeading)
+{
+    Tracker tracker{optionsForBoxes()};
+    double x = 18.0;
+    double speed = 15.0;
+    double platform = 0.0;
+    for (int k = 0; k < 50; ++k)
+    {
+        const double t = kPeriod * k;
+        const OrientedBox truth{x, 0.0, 0.0, 4.4, 1.8};
+        const FrameResult r = tracker.process(exampleFrame(
+            t, {platform, 0.0}, {{truth, 1.5, {speed, 0.0}}}, 160U + unsigned(k), kPeriod));
+        if (k >= 20)
+        {
+            const TrackReport* track = onlyConfirmedNear(r, truth.centre());
+            ASSERT_NE(track, nullptr) << k;
+            EXPECT_NEAR(track->speed, speed, 0.8) << k;
+            EXPECT_LT(std::abs(wrapAngle(track->box.heading)), 1.7 * kPi / 180.0) << k;
+        }
+        platform += kPeriod * speed;
+        x += kPeriod * speed;
+        if (k >= 20) speed = std::max(6.0, speed - kPeriod * 3.0);
+    }
+}
+
 // Abreast of the sensor a quarter of the revolution has passed before the car is seen.
 TEST(Revolution, BoxesStandWhereCarsAreAtTheFramesTime)
 {

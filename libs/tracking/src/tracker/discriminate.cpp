@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "tracker/one_time.h"
 #include "vdamf/tracking/discrimination/features.h"
 
 namespace vdamf
@@ -98,7 +99,14 @@ Judgement Discriminator::judged(const Track& track, const SegmentedFrame& frame,
     if (options_.isOff() || track.hits == 0) return next;
     if (track.measurement)
     {
-        const ObjectView view = viewOf(*track.measurement, frame, clusters);
+        ObjectView view = viewOf(*track.measurement, frame, clusters);
+        HitsAtOneTime together;
+        if (track.areParts)
+        {
+            // What moves has a step there.
+            together = hitsAtOneTime(frame, clusters, motionOf(track.state), 0.0);
+            view.clusters = {&*together.each};
+        }
         std::size_t hits = 0;
         for (const std::size_t k : clusters) hits += frame.clusters[k].size();
         if (mayTellMore(track, hits))

@@ -228,6 +228,8 @@ HeadingCues sizeCues(const Sighting& sighting, double height)
     constexpr double kFewHits = 30.0;
     // What lies beside or close behind an end seems to hide more of it.
     constexpr double kStillWhole = 0.25;
+    // Rows along faces that may as well lie otherwise tell nothing.
+    constexpr double kVague = 0.35;  // rad
     const Measurement& m = sighting.measurement;
     const auto extentOf = [](const FaceRow& row, bool isWhole)
     {
@@ -236,6 +238,7 @@ HeadingCues sizeCues(const Sighting& sighting, double height)
     };
     HeadingCues cues;
     cues.height = height;
+    if (m.covariance(2, 2) > kVague * kVague) return cues;
     if (m.facesSeen.seesSide()) cues.side = extentOf(sighting.side, locatesLength(m));
     if (m.facesSeen.seesEnd()) cues.end = extentOf(sighting.end, locatesWidth(m));
     return cues;

@@ -83,6 +83,22 @@ double meanTime(const Cluster& cluster)
     return sum / static_cast<double>(cluster.size());
 }
 
+// By how much parts put together may seem to turn: one that is misplaced along its way, by an error
+// of the speed, turns the line through both. Speeds follow what brakes late.
+double turnSigma(const PartsInTime& parts, const TargetMotion& motion)
+{
+    constexpr double kLag = 1.0;  // m/s
+    const double speed = motion.velocity.norm();
+    if (parts.smaller.size() == 0 || speed * kSeamGap < kStill) return 0.0;
+    const double between = meanTime(parts.smaller) - meanTime(parts.larger);
+    const Eigen::Vector2d apart =
+        middleOf(parts.smaller) - middleOf(parts.larger) - between * motion.velocity;
+    const Eigen::Vector2d way = motion.velocity / speed;
+    const double across = std::abs(way.x() * apart.y() - way.y() * apart.x());
+    return std::hypot(motion.speedSigma, motion.changes * kLag) * std::abs(between) * across /
+           apart.squaredNorm();
+}
+
 Cluster movedTo(double time, Cluster cluster, const TargetMotion& motion)
 {
     const Eigen::Vector2d centre = motion.centre + time * motion.velocity;
@@ -125,12 +141,18 @@ HitsAtOneTime hitsAtOneTime(const SegmentedFrame& frame, const std::vector<std::
     }
     Cluster all = *clustersOf(frame, clusters);
     TimeSpan span = spanOf(all);
-    if (span.length() > kSeamGap && motion.speedSigma * span.length() > kMostDistance)
+    result.areParts = span.length() > kSeamGap;
+    if (result.areParts)
     {
         PartsInTime parts = splitInTime(all, span);
-        if (parts.smaller.size() > 0) result.goesOn = middleOf(parts.smaller);
-        all = std::move(parts.larger);
-        span = spanOf(all);
+        if (motion.speedSigma * span.length() <= kMostDistance)
+            result.turnSigma = turnSigma(parts, motion);
+        else
+        {
+            if (parts.smaller.size() > 0) result.goesOn = middleOf(parts.smaller);
+            all = std::move(parts.larger);
+            span = spanOf(all);
+        }
     }
     result.lag = meanTime(all);
     if (motion.velocity.norm() * span.length() > kStill)

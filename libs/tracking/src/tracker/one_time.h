@@ -17,6 +17,7 @@ struct TargetMotion
     Eigen::Vector2d velocity = Eigen::Vector2d::Zero();  ///< of the centre, m/s
     double yawRate = 0.0;                                ///< rad/s
     double speedSigma = 0.0;                             ///< m/s
+    double changes = 0.0;                                ///< probability that the speed does
 };
 
 TargetMotion motionOf(const VehicleState& state);

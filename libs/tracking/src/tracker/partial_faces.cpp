@@ -57,6 +57,14 @@ double lowestOfEnd(const Measurement& m, double row, const Cluster& hits)
     }
     return static_cast<double>(lowest.back());
 }
+
+// Turned by that standard deviation more, about the hits.
+Measurement withTurn(Measurement m, double sigma, const Eigen::Vector2d& hits)
+{
+    const Vector5d turn = byTurn(m.box.centre() - hits);
+    m.covariance += sigma * sigma * turn * turn.transpose();
+    return m;
+}
 }  // namespace
 
 Measurement withoutEndsBelowView(const Sighting& sighting, const SegmentedFrame& frame)
@@ -116,11 +124,12 @@ Measurement withTurnOfPieces(const Sighting& sighting)
         row = std::max(row, axis == 0 ? sighting.side.metres : sighting.end.metres);
     }
     if (row <= 0.0) return m;
-    const double sigma = std::atan(kDepth / std::max(row, kLeastRow));
-    // About the hits.
-    const Vector5d turn = byTurn(m.box.centre() - sighting.around.centre());
-    m.covariance += sigma * sigma * turn * turn.transpose();
-    return m;
+    return withTurn(m, std::atan(kDepth / std::max(row, kLeastRow)), sighting.around.centre());
+}
+
+Measurement withTurnOfParts(const Sighting& sighting, const HitsAtOneTime& seen)
+{
+    return withTurn(sighting.measurement, seen.turnSigma, sighting.around.centre());
 }
 
 Measurement withRecessOfEnd(const Sighting& sighting, const HitsAtOneTime& seen)

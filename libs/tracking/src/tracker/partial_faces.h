@@ -24,6 +24,9 @@ Measurement withoutEndOfShortSide(const Sighting& sighting);
 /// Where a face shows from end to end, both halves of it turn the line alike.
 Measurement withTurnOfPieces(const Sighting& sighting);
 
+/// The same with the heading as uncertain as parts hit a revolution apart leave it.
+Measurement withTurnOfParts(const Sighting& sighting, const HitsAtOneTime& seen);
+
 /// The measurement of a sighting with its end as uncertain as hits above the bumper leave it: on
 /// a bonnet or a windscreen they lie behind the end. What is as high as a truck is upright.
 Measurement withRecessOfEnd(const Sighting& sighting, const HitsAtOneTime& seen);

@@ -189,6 +189,7 @@ Sighting sightingOf(const SegmentedFrame& frame, const std::vector<std::size_t>&
     s.sensor = sensor;
     s.lag = seen.lag;
     s.clusters = clusters;
+    s.areParts = seen.areParts;
     s.measurement = measureTarget(*seen.hits, sensor, start, options, knownLengthWidth, effort);
     Measurement& m = s.measurement;
     m.hiddenEnds = hiddenEnds(m.box, m.facesSeen, sensor, frame.profile);
@@ -211,6 +212,7 @@ Sighting sightingOf(const SegmentedFrame& frame, const std::vector<std::size_t>&
     m = withoutEndOfShortSide(s);
     m = withRowsBetweenHiddenEnds(s);
     m = withTurnOfPieces(s);
+    m = withTurnOfParts(s, seen);
     m = withRecessOfEnd(s, seen);
     return s;
 }

@@ -40,6 +40,10 @@ struct HitsAtOneTime
     /// Middle of the part that was left out, in the frame of the hits, m: towards it the target
     /// goes on.
     std::optional<Eigen::Vector2d> goesOn;
+    /// By which parts that were hit a revolution apart may be turned against each other when put
+    /// together, rad.
+    double turnSigma = 0.0;
+    bool areParts = false;  ///< hit at both ends of a revolution
 };
 
 /// Hits that go on along a face without a wide gap.
@@ -58,10 +62,11 @@ struct Sighting
     Eigen::Vector2d sensor = Eigen::Vector2d::Zero();  ///< m
     std::vector<std::size_t> clusters;                 ///< of the frame, whose hits they are
     Measurement measurement;
-    OrientedBox around;    ///< the hits, along and across the box
-    FaceRow side, end;     ///< of the faces towards the sensor
-    double groundZ = 0.0;  ///< local ground, m
-    double height = 0.0;   ///< of the highest hit above it, m
+    OrientedBox around;     ///< the hits, along and across the box
+    FaceRow side, end;      ///< of the faces towards the sensor
+    double groundZ = 0.0;   ///< local ground, m
+    double height = 0.0;    ///< of the highest hit above it, m
+    bool areParts = false;  ///< hit at both ends of a revolution
 };
 
 /// Height of the highest hit above the local ground, m.

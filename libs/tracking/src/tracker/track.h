@@ -74,6 +74,7 @@ struct Track
     double stoodProbability = 0.0;  ///< that it did, before the last prediction
     // Of the current frame:
     int hits = 0;
+    bool areParts = false;                   ///< the hits: hit at both ends of a revolution
     std::optional<Measurement> measurement;  ///< nothing where it was glanced at, too
     std::optional<double> nis;
 

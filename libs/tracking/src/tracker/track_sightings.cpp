@@ -205,6 +205,7 @@ Track startedTrack(std::uint64_t id, const Sighting& sighting, const StartSpeed&
     track.front = HeadingBelief(sizeCues(sighting, track.height));
     track.measurement = m;
     track.hits = m.hits;
+    track.areParts = sighting.areParts;
     track.lastMatch = m.match;
     if (options.lifecycle.confirmHits <= 1) track.status = TrackStatus::Confirmed;
     appendToPath(track, {sighting.time + sighting.lag, seen.box(), locatedFaces(m)});
@@ -219,6 +220,7 @@ Track sightedTrack(Track track, const Sighting& sighting, double neighbours,
         sighting.measurement, stateAt(track.state, sighting.lag, options.motion).mean(kHeading));
     track.measurement = m;
     track.hits = m.hits;
+    track.areParts = sighting.areParts;
     if (isLastGlimpse(track, sighting, options.association.surfaceSigma))
         return withHit(std::move(track), sighting.time, options.lifecycle);
     track =

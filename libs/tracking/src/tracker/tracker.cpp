@@ -152,8 +152,10 @@ private:
     Sighting measure(const Track& track, const SegmentedFrame& frame,
                      const std::vector<std::size_t>& clusters) const
     {
+        TargetMotion motion = motionOf(track.state);
+        motion.changes = track.hypotheses->drivingProbability.front();
         const HitsAtOneTime seen =
-            hitsAtOneTime(frame, clusters, motionOf(track.state), options_.measurement.mergeCell);
+            hitsAtOneTime(frame, clusters, motion, options_.measurement.mergeCell);
         const OrientedBox start = stateAt(track.state, seen.lag, options_.motion).box();
         return sightingOf(frame, clusters, seen, start, Eigen::Vector2d(start.length, start.width),
                           typeFilters_.optionsFor(track), effortFor(track, discriminator_));
