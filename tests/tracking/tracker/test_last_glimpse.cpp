@@ -134,6 +134,9 @@ TEST(LastGlimpse, OfAMovingCarThatShowsNoFaceLeavesItsPose)
     const Track track = drivenOn(filter);
     ASSERT_LT(track.hypotheses->standingProbability, 0.5);
     Sighting glimpse = sightingMoved(glimpseAt(2.1), kSpeedAhead * 2.1);
+    EXPECT_EQ(sightedTrack(track, glimpse, 0.0, filter, options).state.mean, track.state.mean)
+        << "a face of six hits";
+    glimpse.measurement.hits = 9;
     const Track withFace = sightedTrack(track, glimpse, 0.0, filter, options);
     EXPECT_NE(withFace.state.mean, track.state.mean);
     glimpse.measurement.facesSeen = {};
@@ -149,6 +152,7 @@ TEST(LastGlimpse, OfAMovingCarThatSeemsToTurnAtOnceLeavesItsPose)
     VehicleKalmanFilter filter{options.motion};
     Track track = drivenOn(filter);
     Sighting glimpse = sightingMoved(glimpseAt(2.1), kSpeedAhead * 2.1);
+    glimpse.measurement.hits = 9;
     glimpse.measurement.box.heading = -0.7;
     EXPECT_EQ(sightedTrack(track, glimpse, 0.0, filter, options).state.mean, track.state.mean);
     // Unless it may have turned so far since it was seen.

@@ -67,6 +67,7 @@ bool isLastGlimpse(const Track& track, const Sighting& sighting, double margin)
 {
     constexpr double kPart = 0.25;   // of the length
     constexpr double kTurned = 0.2;  // rad: nothing turns as much from one frame to the next
+    constexpr int kFew = 8;          // hits
     const Measurement& m = sighting.measurement;
     if (!track.told.length) return false;
     const bool isStanding = stands(track);
@@ -75,8 +76,8 @@ bool isLastGlimpse(const Track& track, const Sighting& sighting, double margin)
     const double mayTurn =
         isStanding ? kTurned
                    : kTurned + 3.0 * std::sqrt(track.state.covariance(kHeading, kHeading));
-    const bool showsFaces =
-        turned <= mayTurn && (isStanding ? m.hiddenEnds.empty() : !m.facesSeen.empty());
+    const bool showsFaces = m.hits >= kFew && turned <= mayTurn &&
+                            (isStanding ? m.hiddenEnds.empty() : !m.facesSeen.empty());
     const bool isPart =
         std::hypot(sighting.around.length, sighting.around.width) < kPart * track.box().length;
     return isPart && !showsFaces && isWithin(sighting.around, track.box(), margin);
