@@ -45,9 +45,9 @@ std::vector<PlaneBounds> reachOf(const std::vector<PredictedTarget>& targets, do
         const double s = std::abs(forward.sin);
         const Eigen::Vector2d half(0.5 * (c * t.box.length + s * t.box.width),
                                    0.5 * (s * t.box.length + c * t.box.width));
+        // Of a variance that is a parabola of the time the greatest one is at an end.
         const double vaguest =
-            std::max({placeSigma(t, -sweep).maxCoeff(), placeSigma(t, 0.0).maxCoeff(),
-                      placeSigma(t, sweep).maxCoeff()});
+            std::max(placeSigma(t, -sweep).maxCoeff(), placeSigma(t, sweep).maxCoeff());
         const double margin =
             gate * std::hypot(options.surfaceSigma, vaguest) + sweep * t.velocity.norm();
         const Eigen::Vector2d reach = half.array() + margin;

@@ -116,8 +116,8 @@ FaceErrors faceErrors(const Measurement& measurement, const VisibilityOptions& o
 /// The same with what the predicted state tells of visibility (4.5). Rows of hits end short of the
 /// vehicle rather than beyond it, so a face that falls behind the one known counts less, by as
 /// much as the whole box is too small (widths by less, where they are short by less than rows
-/// err). One that is hidden is no nearer than the hits: it counts
-/// where they reach beyond the one known.
+/// err). One that is hidden is no nearer than the hits: it counts where they reach beyond the one
+/// known.
 FaceErrors faceErrors(const Measurement& measurement, const VehicleState& predicted,
                       const VisibilityOptions& options);
 
