@@ -201,11 +201,12 @@ FaceSet facesSeen(const Hits& hits, const OrientedBox& box, const Eigen::Vector2
     const bool front = view.x() > 0.0;
     const bool left = view.y() > 0.0;
     // Whether a ray meets a face, over its middle, at more than the least angle.
-    const Direction least = directionOf(options.minFaceAngle);
-    const auto shows = [&least](double before, double beside)
+    const auto shows = [](double before, double beside, const Direction& least)
     { return before * least.cos > beside * least.sin; };
-    const bool showsEnd = shows(std::abs(view.x()) - l, std::abs(view.y()));
-    const bool showsSide = shows(std::abs(view.y()) - w, std::abs(view.x()));
+    const bool showsEnd =
+        shows(std::abs(view.x()) - l, std::abs(view.y()), directionOf(options.minEndAngle));
+    const bool showsSide =
+        shows(std::abs(view.y()) - w, std::abs(view.x()), directionOf(options.minSideAngle));
     const StripHits strips = hitsInStrips(hits, box, front ? 1.0 : -1.0, left ? 1.0 : -1.0, shape);
     FaceSet seen;
     if (showsEnd && strips.end >= options.minFaceHits) seen.add(front ? Face::Front : Face::Back);

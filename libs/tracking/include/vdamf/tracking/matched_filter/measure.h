@@ -35,14 +35,15 @@ struct EnumNames<FilterKind>
 struct MeasureOptions
 {
     FilterKind filter = FilterKind::FaceLines;
-    double sigma = 0.2;                        ///< m
-    double mergeCell = 0.1;                    ///< m
-    double hitSigma = 0.12;                    ///< m
-    double rangeNoise = 0.02;                  ///< m
-    double bodyDepth = 0.06;                   ///< m
-    double hiddenFaceSigma = 1.0;              ///< m
-    double sizePriorWeight = 0.02;             ///< 1/m^3
-    double minFaceAngle = 10.0 * kPi / 180.0;  ///< rad
+    double sigma = 0.2;                       ///< m
+    double mergeCell = 0.1;                   ///< m
+    double hitSigma = 0.12;                   ///< m
+    double rangeNoise = 0.02;                 ///< m
+    double bodyDepth = 0.06;                  ///< m
+    double hiddenFaceSigma = 1.0;             ///< m
+    double sizePriorWeight = 0.02;            ///< 1/m^3
+    double minEndAngle = 10.0 * kPi / 180.0;  ///< rad
+    double minSideAngle = 5.0 * kPi / 180.0;  ///< rad
     int minFaceHits = 5;
     bool reachOverHits = true;
     std::string filterFile;
@@ -74,8 +75,10 @@ struct MeasureOptions
         field(
             self.sizePriorWeight, "size_prior_weight", 0.0, 10.0,
             "pull of a track's known size on the fit, response per hit / m^2; 0: as in the paper");
-        field(self.minFaceAngle, "min_face_angle_deg", 0.0, 45.0,
-              "grazing angle from which a face counts as seen");
+        field(self.minEndAngle, "min_end_angle_deg", 0.0, 45.0,
+              "grazing angle from which front or rear, whose corners are round, counts as seen");
+        field(self.minSideAngle, "min_side_angle_deg", 0.0, 45.0,
+              "grazing angle from which a side, a long row of hits, counts as seen");
         field(self.minFaceHits, "min_face_hits", 1, 100, "hits that a face needs to count as seen");
         field(self.reachOverHits, "reach_over_hits",
               "far ends of the box at the end of the rows of hits along its seen faces");
