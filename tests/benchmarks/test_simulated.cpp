@@ -4,17 +4,39 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
 #include "measurement/methods.h"
+#include "vdamf/tracking/matched_filter/hits.h"
 
 namespace vdamf
 {
 namespace
 {
-LabelledClusters conditionOf(const std::string& name)
+LabelledClusters conditionOf(const std::string& name, int count = 5)
 {
     for (const SimulatedKind& kind : simulatedKinds())
-        if (kind.name == name) return simulatedCondition(kind, 5, 3);
+        if (kind.name == name) return simulatedCondition(kind, count, 3);
     return {};
+}
+
+// Of measured headings; positive ones turn the end that is nearer to the sensor towards it.
+std::vector<double> headingErrors(const LabelledClusters& condition, const MeasureOptions& options)
+{
+    std::vector<double> errors;
+    for (const LabelledCluster& sample : condition.samples)
+    {
+        const MeasureOptions told = toldOptions(options, sample);
+        const Measurement m = measureTarget(projectHits(sample.cluster, told.mergeCell),
+                                            sample.sensor, sample.start, told);
+        const Eigen::Vector2d view = toBoxFrame(sample.truth, sample.sensor);
+        const double error = std::remainder(m.box.heading - sample.truth.heading, 0.5 * kPi);
+        errors.push_back(std::copysign(1.0, view.x() * view.y()) * error);
+    }
+    std::sort(errors.begin(), errors.end());
+    return errors;
 }
 
 TEST(SimulatedConditions, TellTheSensorsNoiseAndWhatStandsThere)
@@ -52,6 +74,35 @@ TEST(Methods, HandTheSensorsNoiseToTheFit)
         return;
     }
     FAIL() << "no method face_lines+start";
+}
+
+TEST(CarsInTheNextLane, AreNotTurnedByTheirShape)
+{
+    const LabelledClusters cars = conditionOf("car_in_next_lane", 300);
+    const auto median = [&](const MeasureOptions& options)
+    {
+        const std::vector<double> errors = headingErrors(cars, options);
+        return errors[errors.size() / 2] / kDegree;
+    };
+    EXPECT_NEAR(median({}), 0.0, 0.1);
+    MeasureOptions asTheyLook;
+    asTheyLook.parameters.hull.sideTurn = 0.0;
+    EXPECT_LT(median(asTheyLook), -0.2);
+}
+
+TEST(CarsInTheNextLane, ShowTheirSides)
+{
+    const LabelledClusters cars = conditionOf("car_in_next_lane", 600);
+    const auto typical = [&](const MeasureOptions& options)
+    {
+        std::vector<double> errors = headingErrors(cars, options);
+        for (double& error : errors) error = std::abs(error);
+        std::sort(errors.begin(), errors.end());
+        return errors[errors.size() * 4 / 5] / kDegree;
+    };
+    MeasureOptions endsAlone;
+    endsAlone.minSideAngle = endsAlone.minEndAngle;
+    EXPECT_LT(typical({}), 0.9 * typical(endsAlone));
 }
 
 }  // namespace

@@ -143,5 +143,17 @@ TEST(PlatformErrors, TakeMoreThanOneThingThatStands)
     }
 }
 
+TEST(PlatformErrors, TakeMoreThanOneThingThatIsSeenWell)
+{
+    std::mt19937 random(10);
+    PlatformErrors errors{AlignmentOptions()};
+    for (int frame = 0; frame < 50; ++frame)
+    {
+        std::vector<StandingPoint> points = seenAfterMotion({0.0, {0.3, 0.0}}, random);
+        for (std::size_t i = 1; i < points.size(); ++i) points[i].innovation.covariance *= 900.0;
+        ASSERT_FALSE(errors.after(points, kFrameTime));
+    }
+}
+
 }  // namespace
 }  // namespace vdamf

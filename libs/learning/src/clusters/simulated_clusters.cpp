@@ -60,6 +60,12 @@ Eigen::Vector2d randomView(SimulatedKind::Aspect kind, const BodySize& size, Ran
     const double across = between(-0.35, 0.35, random);
     if (kind == SimulatedKind::Aspect::End) return {sign * range, across * size.width};
     if (kind == SimulatedKind::Aspect::Side) return {across * size.length, sign * range};
+    if (kind == SimulatedKind::Aspect::Neighbour)
+    {
+        const double along = between(12.0, 30.0, random);
+        const double beside = between(3.0, 4.5, random);
+        return {sign * along, random.uniform() < 0.5 ? beside : -beside};
+    }
     const double aspect = between(-kPi, kPi, random);
     return {range * std::cos(aspect), range * std::sin(aspect)};
 }
@@ -123,6 +129,8 @@ std::vector<SimulatedKind> simulatedKinds()
         {"bus", "bus, 2 cm range noise", ObjectClass::Bus, 0.02},
         {"motorcycle", "motorcycle with its rider, 2 cm range noise", ObjectClass::Motorcycle,
          0.02},
+        {"car_in_next_lane", "a car one lane beside, its side at a grazing angle", car, 0.02, 0.0,
+         false, false, false, Aspect::Neighbour},
     };
 }
 

@@ -13,6 +13,15 @@ double shiftVariance(const Eigen::Matrix3d& covariance)
 {
     return 0.5 * covariance.topLeftCorner<2, 2>().trace();
 }
+
+// Whether it tells shift and turn by itself.
+bool tells(const StandingPoint& point)
+{
+    constexpr double kShift = 0.12;  // m
+    constexpr double kTurn = 1.5 * kDegree;
+    const Eigen::Vector3d variances = point.innovation.covariance.diagonal();
+    return variances.head<2>().maxCoeff() < kShift * kShift && variances(2) < kTurn * kTurn;
+}
 }  // namespace
 
 Eigen::Matrix3d byMotion(const Eigen::Vector2d& point)
@@ -76,11 +85,12 @@ std::optional<EstimatedMotion> PlatformErrors::after(const std::vector<StandingP
     constexpr double kVague = 1.0;                // m^2, rad^2
     constexpr double kKnownShift = 0.06 * 0.06;   // m^2
     constexpr double kKnownTurn = 0.006 * 0.006;  // rad^2
-    constexpr std::size_t kLeastPoints = 2;       // a single one may have set off
+    constexpr std::ptrdiff_t kLeastPoints = 2;    // a single one may have set off
     const EstimatedMotion alone = commonMotion(points, Eigen::Vector3d::Constant(kVague));
     const double ofShift = shiftVariance(alone.covariance);
     const double ofTurn = alone.covariance(2, 2);
-    if (points.size() >= kLeastPoints && ofShift < kKnownShift && ofTurn < kKnownTurn)
+    const auto telling = std::count_if(points.begin(), points.end(), tells);
+    if (telling >= kLeastPoints && ofShift < kKnownShift && ofTurn < kKnownTurn)
     {
         const double kept = std::exp(-dt / kMemory);
         shift_.add(0.5 * alone.motion.shift.squaredNorm(), ofShift, kept);

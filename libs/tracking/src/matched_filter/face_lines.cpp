@@ -26,6 +26,7 @@ struct Lines
 {
     Eigen::Vector3d q = Eigen::Vector3d::Zero();
     Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
+    Eigen::Vector2d ofTurn = Eigen::Vector2d::Zero();  // what end and side tell of the turn
     double sigma = 0.0;
     LineWeights weights = kTowardsHull;
 
@@ -38,6 +39,7 @@ bool reweigh(const NearFaces& faces, double rangeNoise, Lines& lines)
     // The weak hold of the heading keeps a short row of hits from turning freely.
     Eigen::Matrix3d information = Eigen::Vector3d(1e-3, 1e-9, 1e-9).asDiagonal();
     Eigen::Vector3d pull = Eigen::Vector3d::Zero();
+    lines.ofTurn.setZero();
     double squares = kPriorHits * 4.0 * rangeNoise * rangeNoise;
     double count = kPriorHits;
     double parameters = 1.0;
@@ -54,6 +56,7 @@ bool reweigh(const NearFaces& faces, double rangeNoise, Lines& lines)
         information(0, 0) += sums.waa;
         information(0, 1 + k) = information(1 + k, 0) = -sums.wa;
         information(1 + k, 1 + k) += sums.w;
+        if (sums.w > 0.0) lines.ofTurn(k) = sums.waa - sums.wa * sums.wa / sums.w;
         pull(0) -= sums.war;
         pull(1 + k) += sums.wr;
         squares += sums.squares;
@@ -93,6 +96,19 @@ Face faceAt(int axis, double sign)
     return sign > 0.0 ? Face::Left : Face::Right;
 }
 
+// By how much the side of a body seems to turn where it is seen at a grazing angle: it is nearest
+// to the sensor where it recedes most. Measured on simulated and on recorded vehicles alike.
+double turnOfSide(const Lines& lines, const OrientedBox& box, const Eigen::Vector2d& sensor,
+                  double perTangent)
+{
+    constexpr double kLeastTangent = 0.08;
+    const Eigen::Vector2d view = toBoxFrame(box, sensor);
+    const double before = std::max(0.0, std::abs(view.y()) - 0.5 * box.width);
+    const double tangent = std::max(kLeastTangent, before / std::max(0.1, std::abs(view.x())));
+    const double share = lines.ofTurn(1) / std::max(1e-9, lines.ofTurn.sum());
+    return std::copysign(share * perTangent / tangent, view.x() * view.y());
+}
+
 FaceLines throughHits(const NearFaces& faces, const Lines& lines)
 {
     FaceLines result;
@@ -121,7 +137,8 @@ std::optional<FaceLines> fitFaceLines(const Hits& hits, const OrientedBox& box, 
         rangeNoise = estimatedRangeNoise(faces, lines.state(0), lines.state(1));
         for (NearFace& face : faces) face.noise *= rangeNoise;
     }
-    if (o.tellPlanes && arePlanes(faces, lines))
+    const bool isPlane = o.tellPlanes && arePlanes(faces, lines);
+    if (isPlane)
     {
         constexpr int kMore = 2;
         lines.weights = kThroughHits;
@@ -130,6 +147,8 @@ std::optional<FaceLines> fitFaceLines(const Hits& hits, const OrientedBox& box, 
     FaceLines result;
     result.rangeNoise = rangeNoise;
     result.turn = lines.q(0);
+    if (!isPlane && !faces[1].hits.empty())
+        result.turn += turnOfSide(lines, box, sensor, o.hull.sideTurn * o.bodyDepth);
     result.covariance =
         lines.weights.efficiency * lines.sigma * lines.sigma * lines.information.inverse();
     for (int k = 0; k < 2; ++k)

@@ -16,8 +16,9 @@ struct SimulatedKind
     enum class Aspect
     {
         Any,
-        End,  ///< the sensor straight ahead or behind: one end alone in view
-        Side  ///< the sensor abreast: one side alone in view
+        End,       ///< the sensor straight ahead or behind: one end alone in view
+        Side,      ///< the sensor abreast: one side alone in view
+        Neighbour  ///< one lane beside, up to 30 m ahead or behind: a side at a grazing angle
     };
 
     std::string name;
