@@ -105,5 +105,29 @@ TEST(CarsInTheNextLane, ShowTheirSides)
     EXPECT_LT(typical({}), 0.9 * typical(endsAlone));
 }
 
+TEST(CarsInTheNextLane, GoOnRoundTheirFarCorners)
+{
+    const LabelledClusters cars = conditionOf("car_in_next_lane", 300);
+    const auto median = [&](const MeasureOptions& options)
+    {
+        std::vector<double> errors;
+        for (const LabelledCluster& sample : cars.samples)
+        {
+            const MeasureOptions told = toldOptions(options, sample);
+            const Measurement m = measureTarget(
+                projectHits(sample.cluster, told.mergeCell), sample.sensor, sample.start, told,
+                Eigen::Vector2d(sample.start.length, sample.start.width));
+            if (!m.facesSeen.seesEnd() || !m.facesSeen.seesSide()) continue;
+            errors.push_back(m.box.length - sample.truth.length);
+        }
+        std::sort(errors.begin(), errors.end());
+        return errors[errors.size() / 2];
+    };
+    EXPECT_NEAR(median({}), 0.0, 0.06);
+    MeasureOptions asFarAsHits;
+    asFarAsHits.parameters.hull.farCorner = 0.0;
+    EXPECT_LT(median(asFarAsHits), -0.08);
+}
+
 }  // namespace
 }  // namespace vdamf

@@ -147,6 +147,7 @@ std::optional<FaceLines> fitFaceLines(const Hits& hits, const OrientedBox& box, 
     FaceLines result;
     result.rangeNoise = rangeNoise;
     result.turn = lines.q(0);
+    result.arePlanes = isPlane;
     if (!isPlane && !faces[1].hits.empty())
         result.turn += turnOfSide(lines, box, sensor, o.hull.sideTurn * o.bodyDepth);
     result.covariance =

@@ -46,6 +46,7 @@ struct FaceLines
     /// Of (turn, end.at, side.at): rad, m. Rows without a line are zero.
     Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
     double rangeNoise = 0.0;  ///< that was reckoned with, m
+    bool arePlanes = false;   ///< hits scatter no more than that
 };
 
 /// The matched filter's response in the limit of a narrow strip centred on the face is an

@@ -66,6 +66,7 @@ struct HullParameters
     double roundEnd = 2.0;    ///< of a far end, over the departure of the near faces
     double farEnd = 4.0;      ///< beyond rows of few hits
     double farSide = 1.3;     ///< likewise
+    double farCorner = 2.2;   ///< of a car beyond the end of a row at a grazing angle
     double sideTurn = 0.015;  ///< rad/m, of a side over the tangent of the grazing angle
 
     template <class Self, class Visitor>
@@ -80,6 +81,8 @@ struct HullParameters
         field(self.roundEnd, "round_end", 0.0, 8.0, "from a row's end to the hull, likewise");
         field(self.farEnd, "far_end", 0.0, 12.0, "hidden length behind few hits, body depths");
         field(self.farSide, "far_side", 0.0, 12.0, "hidden width behind few hits, body depths");
+        field(self.farCorner, "far_corner", 0.0, 12.0,
+              "cars go on behind a row of hits seen at a grazing angle, body depths");
         field(self.sideTurn, "side_turn", 0.0, 0.1,
               "by which a side seems to turn away, over the tangent of its grazing angle, rad/m");
     }
