@@ -56,7 +56,8 @@ TEST_F(TrainFilterApp, MakesAFilterThatVdamfTrackTakes)
     make("config.ini", "[measurement]\nfilter_file = filter.txt\n");
     const std::string track = "-i " + kStreetFolder + "street.rawlog --frames 0:10 -q --overwrite ";
     ASSERT_EQ(run("vdamf-track", track + "-c config.ini --tracks t.csv"), 0) << output_;
-    make("filter.txt", filter.substr(0, filter.size() / 2));
+    // At the end of a line.
+    make("filter.txt", filter.substr(0, filter.find('\n', filter.size() / 2) + 1));
     EXPECT_EQ(run("vdamf-track", track + "-c config.ini --tracks u.csv"), 2);
     EXPECT_THAT(output_, HasSubstr("filter.txt"));
     EXPECT_THAT(output_, HasSubstr("is the file whole?"));

@@ -8,6 +8,7 @@
 #include <iterator>
 #include <utility>
 
+#include "tracker/layers_of_end.h"
 #include "tracker/partial_faces.h"
 #include "types/hit_bounds.h"
 #include "types/lanes.h"
@@ -211,6 +212,7 @@ Sighting sightingOf(const SegmentedFrame& frame, const std::vector<std::size_t>&
     m = withoutEndsBelowView(s, frame);
     m = withoutEndOfShortSide(s);
     m = withRowsBetweenHiddenEnds(s);
+    m = withTurnOfLayers(s, seen);
     m = withTurnOfPieces(s);
     m = withTurnOfParts(s, seen);
     m = withRecessOfEnd(s, seen);
