@@ -96,6 +96,33 @@ TEST(PartialFaces, ASideTooShortForACarDoesNotTellItsFarEnd)
     EXPECT_TRUE(withoutEndOfShortSide(cut).hiddenEnds.empty());
 }
 
+TEST(PartialFaces, ASideTooLongForACarEndsAtItsGap)
+{
+    // The next one's hits begin 1.6 m behind a row of 4 m.
+    Sighting both = rearAndSideSeen(5.8);
+    both.side = {4.0, 30.0, -0.9};
+    const Measurement m = withinRowOfSide(both);
+    EXPECT_NEAR(m.box.length, 4.0, 1e-12);
+    EXPECT_NEAR(m.box.x - 0.5 * m.box.length, 20.0, 1e-12);
+    EXPECT_EQ(toString(m.hiddenEnds), "F");
+    // Seen from ahead, its rear is the far end.
+    Sighting ahead = both;
+    ahead.sensor = {50.0, 0.0};
+    ahead.side.middle = 0.9;
+    EXPECT_EQ(toString(withinRowOfSide(ahead).hiddenEnds), "B");
+    EXPECT_NEAR(withinRowOfSide(ahead).box.x, 20.0 + 5.8 - 2.0, 1e-12);
+    // A truck is open between its axles, and hits are missing on a car.
+    Sighting truck = both;
+    truck.height = 3.0;
+    EXPECT_EQ(withinRowOfSide(truck).box.length, 5.8);
+    Sighting car = rearAndSideSeen(4.6);
+    car.side = {3.0, 30.0, -0.8};
+    EXPECT_EQ(withinRowOfSide(car).box.length, 4.6);
+    Sighting whole = rearAndSideSeen(5.8);
+    whole.side = {5.6, 30.0, 0.0};
+    EXPECT_TRUE(withinRowOfSide(whole).hiddenEnds.empty());
+}
+
 TEST(PartialFaces, BetweenHiddenEndsTheBoxIsAsLongAsTheRow)
 {
     Sighting side = rearSeen(0.0);

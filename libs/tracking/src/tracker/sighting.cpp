@@ -211,6 +211,7 @@ Sighting sightingOf(const SegmentedFrame& frame, const std::vector<std::size_t>&
     s.groundZ = count > 0.0 ? ground / count : 0.0;
     m = withoutEndsBelowView(s, frame);
     m = withoutEndOfShortSide(s);
+    m = withinRowOfSide(s);
     m = withRowsBetweenHiddenEnds(s);
     m = withTurnOfLayers(s, seen);
     m = withTurnOfPieces(s);
