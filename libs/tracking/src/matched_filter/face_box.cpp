@@ -174,10 +174,8 @@ private:
     {
         constexpr double kPower = 1.5;
         constexpr double kError = 0.35;  // of the whole
-        constexpr unsigned kTall = 18;   // tenths of a metre: what is taller has sharper corners
-        const bool isCar = hits_.heights > 1 && (hits_.heights >> kTall) == 0;
         const double ahead = sign * (end.at - view_.x());
-        if (!isCar || lines_.arePlanes || ahead <= 0.0) return end;
+        if (!hits_.areLow() || lines_.arePlanes || ahead <= 0.0) return end;
         const double share = std::pow(ahead / std::hypot(ahead, view_.y() - nearAt(1)), kPower);
         const double recess = share * options_.parameters.hull.farCorner * options_.bodyDepth;
         end.at += sign * recess;
