@@ -111,10 +111,22 @@ TEST(PartialFaces, ASideTooLongForACarEndsAtItsGap)
     ahead.side.middle = 0.9;
     EXPECT_EQ(toString(withinRowOfSide(ahead).hiddenEnds), "B");
     EXPECT_NEAR(withinRowOfSide(ahead).box.x, 20.0 + 5.8 - 2.0, 1e-12);
+    // With its rear hidden too it is where the row is.
+    Sighting between = both;
+    between.measurement.facesSeen.remove(Face::Back);
+    between.measurement.hiddenEnds.add(Face::Back);
+    between.measurement = withinRowOfSide(between);
+    const OrientedBox box = withRowsBetweenHiddenEnds(between).box;
+    EXPECT_NEAR(box.x, both.measurement.box.x - 0.9, 1e-12);
+    EXPECT_NEAR(box.length, 4.0, 1e-12);
     // A truck is open between its axles, and hits are missing on a car.
     Sighting truck = both;
     truck.height = 3.0;
     EXPECT_EQ(withinRowOfSide(truck).box.length, 5.8);
+    Sighting trucks = rearAndSideSeen(16.0);
+    trucks.height = 3.0;
+    trucks.side = {10.0, 90.0, -3.0};
+    EXPECT_NEAR(withinRowOfSide(trucks).box.length, 10.0, 1e-12);
     Sighting car = rearAndSideSeen(4.6);
     car.side = {3.0, 30.0, -0.8};
     EXPECT_EQ(withinRowOfSide(car).box.length, 4.6);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tracker/layers_of_end.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>

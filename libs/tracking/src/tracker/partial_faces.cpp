@@ -116,20 +116,23 @@ Measurement withinRowOfSide(const Sighting& sighting)
 {
     constexpr double kGap = 1.0;         // m
     constexpr double kLong = 5.0;        // m, for a car
-    constexpr double kCarHeight = 1.75;  // m: trucks are open between their axles
+    constexpr double kCarHeight = 1.75;  // m
+    constexpr double kWhole = 6.0;  // m, of a row that is all of a truck, open between its axles
     Measurement m = sighting.measurement;
     const FaceRow& row = sighting.side;
-    if (!m.facesSeen.seesSide() || row.hits == 0.0 || m.box.length < kLong ||
-        sighting.height > kCarHeight)
+    const bool isLow = sighting.height < kCarHeight;
+    if (!m.facesSeen.seesSide() || m.box.length < kLong || (!isLow && row.metres < kWhole))
         return m;
     const double far = toBoxFrame(m.box, sighting.sensor).x() > 0.0 ? -1.0 : 1.0;
     const double beyond = 0.5 * m.box.length - (far * row.middle + 0.5 * row.metres);
     if (beyond < kGap) return m;
+    m.hiddenEnds.add(far > 0.0 ? Face::Front : Face::Back);
+    // Where the near end is hidden as well, the box is what withRowsBetweenHiddenEnds() makes it.
+    if (!locatedFaces(m).has(far > 0.0 ? Face::Back : Face::Front)) return m;
     const Eigen::Vector2d shift = -0.5 * far * beyond * rotation(m.box.heading).col(0);
     m.box.x += shift.x();
     m.box.y += shift.y();
     m.box.length -= beyond;
-    m.hiddenEnds.add(far > 0.0 ? Face::Front : Face::Back);
     return m;
 }
 

@@ -19,9 +19,9 @@ Measurement withRowsBetweenHiddenEnds(const Sighting& sighting);
 /// end is beside it: hits that are missing cut the row off, on a dark body or behind a wheel house.
 Measurement withoutEndOfShortSide(const Sighting& sighting);
 
-/// The measurement of a sighting of what is as low as a car, no longer than the row of hits on its
-/// side that has no wide gap: at a grazing angle what stands behind the gap lies in line with it.
-/// How much farther it goes on is not told.
+/// The measurement of a sighting, no longer than the row of hits on its side that has no wide gap,
+/// where a car would be too long or the row is a truck's: at a grazing angle what stands behind the
+/// gap lies in line with it. How much farther it goes on is not told.
 Measurement withinRowOfSide(const Sighting& sighting);
 
 /// The measurement of a sighting with the heading as uncertain as pieces of faces leave it: bodies
