@@ -12,15 +12,15 @@ namespace vdamf
 {
 namespace
 {
-constexpr double kSpeed = 12.0;   // m/s, of the car
-constexpr double kBehind = 10.0;  // s
+constexpr double kCarSpeed = 12.0;  // m/s, of the car
+constexpr double kBehind = 10.0;    // s
 
 // The platform stays behind, then passes in the lane to the left.
 Eigen::Vector2d platformAt(double t)
 {
     const double passing = std::max(0.0, t - kBehind);
     const double across = 3.5 * std::min(1.0, passing / 2.0);
-    return {-16.0 + kSpeed * t + 5.0 * passing, across};
+    return {-16.0 + kCarSpeed * t + 5.0 * passing, across};
 }
 
 class SeenFromBehind : public testing::TestWithParam<double>  // its length, m
@@ -39,13 +39,13 @@ TEST_P(SeenFromBehind, ThenOvertaken)
     for (int k = 0; k < 140; ++k)
     {
         const double t = 0.1 * k;
-        const OrientedBox car{kSpeed * t, 0.0, 0.0, GetParam(), 1.8};
+        const OrientedBox car{kCarSpeed * t, 0.0, 0.0, GetParam(), 1.8};
         const FrameResult result =
             tracker.process(exampleFrame(t, platformAt(t), {{car, 1.5}}, 500U + unsigned(k)));
         if (k < 10) continue;
         ASSERT_EQ(result.tracks.size(), 1U) << t;
         const TrackReport& track = result.tracks.front();
-        const double speed = track.speed - kSpeed;
+        const double speed = track.speed - kCarSpeed;
         const double length = track.box.length - GetParam();
         EXPECT_LT(std::abs(track.box.width - 1.8), 0.1) << t;
         EXPECT_LT(std::abs(length), 3.0 * std::sqrt(track.lengthVariance)) << t;
