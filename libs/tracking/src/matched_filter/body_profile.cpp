@@ -82,6 +82,17 @@ constexpr Depths kTallSide = {{{0, 0.1},
 // Cars are lower, m / 10.
 constexpr unsigned kTall = 18;
 
+bool isTall(std::uint64_t heights)
+{
+    return (heights >> kTall) != 0;
+}
+
+// Nothing but zeros: of points without height.
+bool areUnknown(std::uint64_t heights)
+{
+    return heights <= 1;
+}
+
 // Of all heights seen the one nearest to the hull.
 Depth leastDepth(const Depths& depths, std::uint64_t heights)
 {
@@ -97,20 +108,20 @@ Depth leastDepth(const Depths& depths, std::uint64_t heights)
     return least != nullptr ? *least : depths.back();
 }
 
-BodyProfile profileOf(Face face, bool isTall, const HullParameters& hull)
+BodyProfile profileOf(Face face, bool tall, const HullParameters& hull)
 {
     BodyProfile profile;
     switch (face)
     {
         case Face::Front:
-            profile = {hull.front, 0.5, isTall ? 0.25 : 0.4, 0.0, 0.0};
+            profile = {hull.front, 0.5, tall ? 0.25 : 0.4, 0.0, 0.0};
             break;
         case Face::Back:
-            profile = {hull.back, 0.5, isTall ? 0.075 : 0.25, 0.0, 0.0};
+            profile = {hull.back, 0.5, tall ? 0.075 : 0.25, 0.0, 0.0};
             break;
         case Face::Left:
         case Face::Right:
-            profile = {hull.side, isTall ? 0.3 : 0.35, isTall ? 0.05 : 0.17, 0.0, 0.0};
+            profile = {hull.side, tall ? 0.3 : 0.35, tall ? 0.05 : 0.17, 0.0, 0.0};
             break;
     }
     profile.usualDeparture *= hull.usual;
@@ -118,16 +129,19 @@ BodyProfile profileOf(Face face, bool isTall, const HullParameters& hull)
 }
 }  // namespace
 
+bool areOfCar(std::uint64_t heights)
+{
+    return !areUnknown(heights) && !isTall(heights);
+}
+
 BodyProfile bodyProfile(Face face, std::uint64_t heights, const HullParameters& hull)
 {
-    const bool isTall = (heights >> kTall) != 0;
-    BodyProfile profile = profileOf(face, isTall, hull);
-    // Nothing but zeros: of points without height.
-    if (heights <= 1) return profile;
+    BodyProfile profile = profileOf(face, isTall(heights), hull);
+    if (areUnknown(heights)) return profile;
     const bool isSide = face == Face::Left || face == Face::Right;
     const Depths& low = isSide ? kLowSide : (face == Face::Front ? kLowFront : kLowBack);
     const Depths& tall = isSide ? kTallSide : (face == Face::Front ? kTallFront : kTallBack);
-    const Depth beyond = leastDepth(isTall ? tall : low, heights);
+    const Depth beyond = leastDepth(isTall(heights) ? tall : low, heights);
     profile.beyond = hull.beyond * beyond.mean;
     profile.beyondError = hull.beyond * beyond.sigma;
     return profile;

@@ -19,6 +19,10 @@ struct BodyProfile
     double beyondError = 0.0;     ///< ... and the standard deviation of that
 };
 
+/// Whether hits at such heights (as in Hits) are of a car, which nothing taller is; not where they
+/// are unknown.
+bool areOfCar(std::uint64_t heights);
+
 /// `heights` as in Hits. By Monte Carlo on the simulated cars, vans and trucks: cars' ends reach
 /// their full length at bumper height alone, bonnets and boot lids lie up to a metre behind it;
 /// what is taller than a car is flatter. Unknown heights: as if all of them were seen.

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "matched_filter/body_profile.h"
 #include "types/box_changes.h"
 #include "types/lanes.h"
 #include "types/wide_lanes.h"
@@ -175,7 +176,7 @@ private:
         constexpr double kPower = 1.5;
         constexpr double kError = 0.35;  // of the whole
         const double ahead = sign * (end.at - view_.x());
-        if (!hits_.areLow() || lines_.arePlanes || ahead <= 0.0) return end;
+        if (!areOfCar(hits_.heights) || lines_.arePlanes || ahead <= 0.0) return end;
         const double share = std::pow(ahead / std::hypot(ahead, view_.y() - nearAt(1)), kPower);
         const double recess = share * options_.parameters.hull.farCorner * options_.bodyDepth;
         end.at += sign * recess;

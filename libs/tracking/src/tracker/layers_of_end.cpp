@@ -18,38 +18,18 @@ constexpr double kNoise = 0.02;      // m, of hits on a plane
 constexpr double kLeastHits = 3.0;   // of a layer that tells where the face is
 constexpr double kMostTurn = 0.6;    // rad
 
-// Hits of about one height, by how far they lie to the left of the box's middle and behind its end.
-struct Layer
+// Sums over hits of the products of (1, m to the left of the box's middle, m behind its end).
+using LayerSums = Eigen::Matrix3d;
+
+// Of the hits of about one height each.
+using Layers = std::array<LayerSums, kLayers>;
+
+// Of (left, behind) about their mean.
+Eigen::Matrix2d aboutMean(const LayerSums& m)
 {
-    double hits = 0.0;
-    double left = 0.0;
-    double behind = 0.0;
-    double leftSquares = 0.0;
-    double behindSquares = 0.0;
-    double products = 0.0;
-
-    void add(double l, double b)
-    {
-        hits += 1.0;
-        left += l;
-        behind += b;
-        leftSquares += l * l;
-        behindSquares += b * b;
-        products += l * b;
-    }
-
-    void add(const Layer& other)
-    {
-        hits += other.hits;
-        left += other.left;
-        behind += other.behind;
-        leftSquares += other.leftSquares;
-        behindSquares += other.behindSquares;
-        products += other.products;
-    }
-};
-
-using Layers = std::array<Layer, kLayers>;
+    return m.bottomRightCorner<2, 2>() -
+           m.bottomLeftCorner<2, 1>() * m.topRightCorner<1, 2>() / m(0, 0);
+}
 
 Layers layersOf(const Measurement& m, double sign, const Cluster& hits)
 {
@@ -59,34 +39,18 @@ Layers layersOf(const Measurement& m, double sign, const Cluster& hits)
     const Eigen::Vector2f centre = m.box.centre().cast<float>();
     const auto half = static_cast<float>(0.5 * m.box.length);
     Layers layers;
+    layers.fill(LayerSums::Zero());
     for (std::size_t i = 0; i < hits.size(); ++i)
     {
         const Eigen::Vector2f place = Eigen::Vector2f(hits.x[i], hits.y[i]) - centre;
         const float behind = half - outwards.dot(place);
         if (behind < -kInFront || behind > kBehind) continue;
         const float layer = std::max(0.0F, hits.height[i]) / kLayer;
-        layers[std::min(static_cast<std::size_t>(layer), kLayers - 1)].add(left.dot(place), behind);
+        const Eigen::Vector3d v(1.0, left.dot(place), behind);
+        layers[std::min(static_cast<std::size_t>(layer), kLayers - 1)] += v * v.transpose();
     }
     return layers;
 }
-
-// Sums about the mean.
-struct Spread
-{
-    double freedom = 0.0;
-    double leftSquares = 0.0;
-    double behindSquares = 0.0;
-    double products = 0.0;
-
-    void add(const Layer& layer)
-    {
-        if (layer.hits < 2.0) return;
-        freedom += layer.hits - 1.0;
-        leftSquares += layer.leftSquares - layer.left * layer.left / layer.hits;
-        behindSquares += layer.behindSquares - layer.behind * layer.behind / layer.hits;
-        products += layer.products - layer.left * layer.behind / layer.hits;
-    }
-};
 
 // How much farther behind the end hits are to the left, m/m.
 struct Slope
@@ -98,23 +62,23 @@ struct Slope
 
 std::optional<Slope> slopeOf(const Layers& layers)
 {
-    Spread within;
-    Layer all;
-    for (const Layer& layer : layers)
+    LayerSums all = LayerSums::Zero();
+    Eigen::Matrix2d within = Eigen::Matrix2d::Zero();
+    double freedom = -1.0;
+    for (const LayerSums& layer : layers)
     {
-        within.add(layer);
-        all.add(layer);
+        all += layer;
+        if (layer(0, 0) < 2.0) continue;
+        within += aboutMean(layer);
+        freedom += layer(0, 0) - 1.0;
     }
-    Spread whole;
-    whole.add(all);
-    const double freedom = within.freedom - 1.0;
-    if (freedom < 1.0 || within.leftSquares <= 0.0) return std::nullopt;
+    if (freedom < 1.0 || within(0, 0) <= 0.0) return std::nullopt;
+    const Eigen::Matrix2d whole = aboutMean(all);
     Slope slope;
-    slope.within = within.products / within.leftSquares;
-    slope.ofAll = whole.products / whole.leftSquares;
-    const double scatter =
-        std::max(0.0, within.behindSquares - slope.within * within.products) / freedom;
-    slope.sigma = std::sqrt((scatter + kNoise * kNoise) / within.leftSquares);
+    slope.within = within(0, 1) / within(0, 0);
+    slope.ofAll = whole(0, 1) / whole(0, 0);
+    const double scatter = std::max(0.0, within(1, 1) - slope.within * within(0, 1)) / freedom;
+    slope.sigma = std::sqrt((scatter + kNoise * kNoise) / within(0, 0));
     return slope;
 }
 
@@ -123,13 +87,13 @@ double middleOfOutermost(const Layers& layers, double slope)
 {
     double least = kBehind;
     double middle = 0.0;
-    for (const Layer& layer : layers)
+    for (const LayerSums& layer : layers)
     {
-        if (layer.hits < kLeastHits) continue;
-        const double behind = (layer.behind - slope * layer.left) / layer.hits;
+        if (layer(0, 0) < kLeastHits) continue;
+        const double behind = (layer(0, 2) - slope * layer(0, 1)) / layer(0, 0);
         if (behind >= least) continue;
         least = behind;
-        middle = layer.left / layer.hits;
+        middle = layer(0, 1) / layer(0, 0);
     }
     return middle;
 }

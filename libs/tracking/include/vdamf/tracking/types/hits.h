@@ -26,13 +26,6 @@ struct Hits
 
     std::size_t size() const { return x.size(); }
 
-    /// Whether all are as low as a car; not where heights are unknown.
-    bool areLow() const
-    {
-        constexpr unsigned kTall = 18;
-        return heights > 1 && (heights >> kTall) == 0;
-    }
-
     /// Variance of a centre's hits along a direction of unit length, m^2.
     double varianceAlong(std::size_t i, double dx, double dy) const
     {
