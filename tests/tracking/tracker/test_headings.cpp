@@ -55,8 +55,11 @@ TEST(Headings, RowsAlongAnUnknownHeadingTellNoSizes)
     sighting.measurement.covariance = Matrix5d::Identity() * 1e-3;
     sighting.end = {3.2, 19.0, 0.0};
     EXPECT_TRUE(sizeCues(sighting, 1.5).end);
-    sighting.measurement.covariance(2, 2) = 1.2;
-    EXPECT_FALSE(sizeCues(sighting, 1.5).end);
+    for (const double variance : {0.05, 1.2})
+    {
+        sighting.measurement.covariance(2, 2) = variance;
+        EXPECT_FALSE(sizeCues(sighting, 1.5).end) << variance;
+    }
 }
 
 TEST(Headings, WideEndsOfCarsAreNoSides)

@@ -43,6 +43,15 @@ TEST(Neighbourhood, VehiclesAroundSpeakForAxesAlongTheirs)
     EXPECT_EQ(evidence(one, {-4, 0, 0.3, 4.3, 1.8}), 0.0) << "far away";
 }
 
+TEST(Neighbourhood, InLineAndSideBySideItReachesFarther)
+{
+    const std::vector<Track> one{parkedAt(1, 0.0, 0.0, 0.0)};
+    EXPECT_GT(evidence(one, {10.5, 1.0, 0.0, 4.3, 1.8}), 0.5) << "in line";
+    EXPECT_GT(evidence(one, {-1.0, -10.5, 0.0, 4.3, 1.8}), 0.5) << "beside";
+    EXPECT_EQ(evidence(one, {8.0, 7.0, 0.0, 4.3, 1.8}), 0.0) << "around a corner";
+    EXPECT_EQ(evidence(one, {13.0, 0.0, 0.0, 4.3, 1.8}), 0.0) << "far away";
+}
+
 TEST(Neighbourhood, ManySayMoreThanOneWithinBounds)
 {
     std::vector<Track> row;

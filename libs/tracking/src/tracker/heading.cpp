@@ -229,7 +229,7 @@ HeadingCues sizeCues(const Sighting& sighting, double height)
     // What lies beside or close behind an end seems to hide more of it.
     constexpr double kStillWhole = 0.25;
     // Rows along faces that may as well lie otherwise tell nothing.
-    constexpr double kVague = 0.35;  // rad
+    constexpr double kVague = 0.2;  // rad
     const Measurement& m = sighting.measurement;
     const auto extentOf = [](const FaceRow& row, bool isWhole)
     {

@@ -10,9 +10,13 @@ namespace vdamf
 {
 namespace
 {
-constexpr double kReach = 8.0;        // m between centres
-constexpr double kAlike = 0.97;       // of the labelled vehicles with another one in reach
-constexpr double kMostLogOdds = 3.0;  // log odds: what makes them stand otherwise holds for all
+constexpr double kReach = 8.0;  // m between centres
+// Farther apart only those that stand in line or side by side count: of labelled ones 59 pairs in
+// 61 are alike, of the rest, around corners, 21 in 27.
+constexpr double kReachInRow = 12.0;   // m
+constexpr double kRowHalfWidth = 2.5;  // m
+constexpr double kAlike = 0.97;        // of the labelled vehicles with another one in reach
+constexpr double kMostLogOdds = 3.0;   // log odds: what makes them stand otherwise holds for all
 constexpr double kSame = 20.0 * kPi / 180.0;  // rad
 
 // Of headings of labelled vehicles that stand within reach of each other, two in three differ by
@@ -21,6 +25,12 @@ constexpr double kHeadingSpread = 0.07 * 0.07;  // rad^2
 constexpr double kLeastSpread = 0.04 * 0.04;    // rad^2, of what all around have in common
 constexpr double kAskew = 30.0 * kPi / 180.0;   // rad: stands otherwise
 constexpr double kSureNeighbour = 2.3;          // log odds, of those that are followed
+
+// Whether what lies so far from a vehicle stands in line with it or beside it.
+bool isInRow(const Eigen::Vector2d& off, double heading)
+{
+    return (rotation(-heading) * off).cwiseAbs().minCoeff() < kRowHalfWidth;
+}
 
 bool isPublished(const Track& track)
 {
@@ -53,29 +63,31 @@ Neighbourhood::Neighbourhood(const std::vector<Track>& tracks, const Discriminat
 }
 
 template <class Use>
-void Neighbourhood::forEachInReach(const Eigen::Vector2d& centre, std::uint64_t self,
-                                   const Use& use) const
+void Neighbourhood::forEachWithin(double reach, const Eigen::Vector2d& centre, std::uint64_t self,
+                                  const Use& use) const
 {
-    for (const std::size_t k : index_.overlapping(PlaneBounds::around(centre, kReach)))
+    for (const std::size_t k : index_.overlapping(PlaneBounds::around(centre, reach)))
     {
         const Neighbour& other = neighbours_[k];
-        if (other.id != self && (other.centre - centre).norm() <= kReach) use(other);
+        if (other.id != self && (other.centre - centre).norm() <= reach) use(other);
     }
 }
 
 double Neighbourhood::axesEvidence(const OrientedBox& box, std::uint64_t self) const
 {
     double sum = 0.0;
-    forEachInReach(box.centre(), self,
-                   [&](const Neighbour& other)
-                   {
-                       const double turn =
-                           std::abs(std::remainder(other.heading - box.heading, kPi));
-                       if (turn < kSame)
-                           sum += other.logOdds;
-                       else if (turn > 0.5 * kPi - kSame)
-                           sum -= other.logOdds;
-                   });
+    forEachWithin(kReachInRow, box.centre(), self,
+                  [&](const Neighbour& other)
+                  {
+                      const Eigen::Vector2d off = box.centre() - other.centre;
+                      if (off.norm() > kReach && !isInRow(off, other.heading)) return;
+                      const double turn =
+                          std::abs(std::remainder(other.heading - box.heading, kPi));
+                      if (turn < kSame)
+                          sum += other.logOdds;
+                      else if (turn > 0.5 * kPi - kSame)
+                          sum -= other.logOdds;
+                  });
     return std::clamp(sum, -kMostLogOdds, kMostLogOdds);
 }
 
@@ -83,15 +95,15 @@ std::optional<HeadingPrior> Neighbourhood::heading(const OrientedBox& box, std::
 {
     double information = 0.0;
     double turns = 0.0;
-    forEachInReach(box.centre(), self,
-                   [&](const Neighbour& other)
-                   {
-                       const double turn = std::remainder(other.heading - box.heading, kPi);
-                       if (other.logOdds < kSureNeighbour || std::abs(turn) > kAskew) return;
-                       const double each = 1.0 / (kHeadingSpread + other.headingVariance);
-                       information += each;
-                       turns += each * turn;
-                   });
+    forEachWithin(kReach, box.centre(), self,
+                  [&](const Neighbour& other)
+                  {
+                      const double turn = std::remainder(other.heading - box.heading, kPi);
+                      if (other.logOdds < kSureNeighbour || std::abs(turn) > kAskew) return;
+                      const double each = 1.0 / (kHeadingSpread + other.headingVariance);
+                      information += each;
+                      turns += each * turn;
+                  });
     if (information == 0.0) return std::nullopt;
     return HeadingPrior{box.heading + turns / information,
                         std::max(1.0 / information, kLeastSpread)};

@@ -47,7 +47,8 @@ private:
     };
 
     template <class Use>
-    void forEachInReach(const Eigen::Vector2d& centre, std::uint64_t self, const Use& use) const;
+    void forEachWithin(double reach, const Eigen::Vector2d& centre, std::uint64_t self,
+                       const Use& use) const;
 
     std::vector<Neighbour> neighbours_;
     PlaneIndex index_;
