@@ -80,6 +80,17 @@ TEST(HeadingBelief, AShortRowAfterALongOneIsAPartOfIt)
     EXPECT_LT(afterFrames(HeadingBelief().after(once), part, 5).axesProbability(), 0.05);
 }
 
+TEST(HeadingBelief, ARowThatIsLongForOnceIsForgotten)
+{
+    // Beside a hedge, of which one frame adds a part.
+    const HeadingCues end = seen(std::nullopt, 1.8);
+    const HeadingCues withHedge = seen(std::nullopt, 3.4);
+    const HeadingBelief known(end);
+    EXPECT_LT(known.after(withHedge).axesProbability(), 0.5);
+    EXPECT_GT(afterFrames(known.after(withHedge), end, 3).axesProbability(), 0.9);
+    EXPECT_LT(afterFrames(afterFrames(known, withHedge, 2), end, 3).axesProbability(), 0.5);
+}
+
 TEST(HeadingBelief, OneFrameTurnsNothingThatWasKnown)
 {
     EXPECT_EQ(HeadingBelief().after(driving(kPi, 8.0)).turnDue(kDecisive), 0);

@@ -42,8 +42,8 @@ double logOfSum(double a, double b)
 }
 
 // The longest row of a face of late; nothing where no row of it was ever seen.
-std::optional<FaceExtent> longest(const std::optional<FaceExtent>& before,
-                                  const std::optional<FaceExtent>& now, double dt)
+std::optional<FaceExtent> longerOf(const std::optional<FaceExtent>& before,
+                                   const std::optional<FaceExtent>& now, double dt)
 {
     constexpr double kForgotten = 0.3;  // m/s: rows may have been too long for once
     if (!before) return now;
@@ -87,8 +87,14 @@ double axesEvidence(const HeadingCues& cues)
 }
 
 HeadingBelief::HeadingBelief(const HeadingCues& cues)
-    : axes_(axesEvidence(cues)), longestEnd_(cues.end), longestSide_(cues.side)
+    : axes_(axesEvidence(cues)), ends_{cues.end, cues.end}, sides_{cues.side, cues.side}
 {
+}
+
+HeadingBelief::Rows HeadingBelief::Rows::with(const std::optional<FaceExtent>& row, double dt) const
+{
+    const bool isLonger = row && last && row->metres > last->metres;
+    return {row ? row : last, longerOf(longest, isLonger ? last : row, dt)};
 }
 
 HeadingBelief HeadingBelief::after(const HeadingCues& cues) const
@@ -96,15 +102,14 @@ HeadingBelief HeadingBelief::after(const HeadingCues& cues) const
     HeadingBelief next = *this;
     const double dt = std::min(cues.dt, kLongest);
     const double frames = kFrameRate * dt;
-    next.longestEnd_ = longest(longestEnd_, cues.end, dt);
-    next.longestSide_ = longest(longestSide_, cues.side, dt);
+    next.ends_ = ends_.with(cues.end, dt);
+    next.sides_ = sides_.with(cues.side, dt);
     HeadingCues sizes = cues;
-    if (cues.end) sizes.end = next.longestEnd_;
-    if (cues.side) sizes.side = next.longestSide_;
+    if (cues.end) sizes.end = longerOf(ends_.longest, cues.end, dt);
+    if (cues.side) sizes.side = longerOf(sides_.longest, cues.side, dt);
     const double evidence = axesEvidence(sizes);
     // What shorter rows told was told by parts of them.
-    const bool isNew =
-        grown(longestEnd_, next.longestEnd_) || grown(longestSide_, next.longestSide_);
+    const bool isNew = grown(ends_.longest, sizes.end) || grown(sides_.longest, sizes.side);
     const double before = isNew && axes_ * evidence < 0.0 ? 0.0 : axes_;
     next.axes_ = withEvidence(before, evidence, frames, repeatsOf(sizes), kMostBySizes);
     next.neighbours_ = cues.neighbours;
@@ -154,8 +159,8 @@ HeadingBelief HeadingBelief::turned(int quarters) const
             course_[static_cast<std::size_t>((k + quarters % 4 + 4) % 4)];
     const double sign = quarters % 2 == 0 ? 1.0 : -1.0;
     next.axes_ = sign * axes_;
-    next.longestEnd_ = quarters % 2 == 0 ? longestEnd_ : longestSide_;
-    next.longestSide_ = quarters % 2 == 0 ? longestSide_ : longestEnd_;
+    next.ends_ = quarters % 2 == 0 ? ends_ : sides_;
+    next.sides_ = quarters % 2 == 0 ? sides_ : ends_;
     next.neighbours_ = sign * neighbours_;
     return next;
 }

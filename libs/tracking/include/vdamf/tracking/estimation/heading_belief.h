@@ -69,8 +69,17 @@ private:
     std::array<double, 4> course_{};
     /// By the sizes seen: log odds that length and width are not exchanged.
     double axes_ = 0.0;
-    /// Longest rows of hits of late along ends and sides: shorter ones are parts of them.
-    std::optional<FaceExtent> longestEnd_, longestSide_;
+    /// Rows of hits along the ends or the sides.
+    struct Rows
+    {
+        std::optional<FaceExtent> last;
+        /// Of late, that two in a row agree on: shorter ones are parts of it, and for once a row
+        /// goes on along what stands beside.
+        std::optional<FaceExtent> longest;
+
+        Rows with(const std::optional<FaceExtent>& row, double dt) const;
+    };
+    Rows ends_, sides_;
     /// The same by the vehicles around it in the last frame.
     double neighbours_ = 0.0;
 };
