@@ -52,5 +52,30 @@ TEST(TrackSightings, AnEndAloneThatSeemsToTurnAtOnceTellsLittle)
     EXPECT_LT(std::abs(turnAfter(0.45)), 0.12);
 }
 
+TEST(TrackSightings, KeepsTheHitsWhereTheyAreWhenItsBoxMoves)
+{
+    const TrackerOptions options;
+    VehicleKalmanFilter filter(options.motion);
+    Track track = startedTrack(1, rearTurnedBy(0.0, 0.0), {0.0, 16.0}, options);
+    for (int k = 1; k < 10; ++k)
+    {
+        track = predictedTrack(std::move(track), 0.1, {0.0, 0.0}, filter, options.motion);
+        track = sightedTrack(std::move(track), rearTurnedBy(0.0, 0.1 * k), 0.0, filter, options);
+    }
+    track = predictedTrack(std::move(track), 0.1, {0.0, 0.0}, filter, options.motion);
+    const double before = track.box().x;
+    // Its side comes into view, and is longer than was assumed.
+    Sighting all = rearTurnedBy(0.0, 1.0);
+    all.measurement.box.length = 6.5;
+    all.measurement.box.x += 1.1;
+    all.measurement.covariance = 1e-3 * Matrix5d::Identity();
+    all.measurement.facesSeen.add(Face::Left);
+    all.around = all.measurement.box;
+    all.side = {6.5, 60.0};
+    track = sightedTrack(std::move(track), all, 0.0, filter, options);
+    EXPECT_GT(track.box().x, before + 0.5);
+    EXPECT_NEAR(track.boxOfHits().x, all.around.x, 0.01);
+}
+
 }  // namespace
 }  // namespace vdamf

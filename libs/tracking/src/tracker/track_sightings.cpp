@@ -233,10 +233,11 @@ Track sightedTrack(Track track, const Sighting& sighting, double neighbours,
     track =
         updatedBy(box, std::move(track), m, then, sighting.time - track.lastSeen, filter, options);
     track.told = track.told.with(m);
-    track.around = inFrameOf(then.box(), sighting.around);
     track.highest = std::max(track.highest, std::min(track.height, sighting.height));
     track = withEndFollowed(std::move(track), m, visibility);
     track.state = track.hypotheses->combined(options.motion);
+    track.around =
+        inFrameOf(stateAt(track.state, sighting.lag, options.motion).box(), sighting.around);
     track.lastMatch = m.match;
     track.groundZ = sighting.groundZ;
     track.height = std::max(sighting.height, 0.95 * track.height + 0.05 * sighting.height);
