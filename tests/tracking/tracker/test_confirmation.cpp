@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tracker/existence.h"
+#include "tracker/neighbourhood.h"
 #include "tracker/sighting.h"
 #include "tracker/track.h"
 
@@ -38,7 +39,7 @@ protected:
         track_ =
             sighting.time > 0.0
                 ? withConfirmation(
-                      sightedTrack(std::move(track_), sighting, 0.0, filter_, options_),
+                      sightedTrack(std::move(track_), sighting, Neighbourhood(), filter_, options_),
                       options_.lifecycle)
                 : startedTrack(1, sighting, {0.0, options_.lifecycle.startSpeedSigma}, options_);
     }

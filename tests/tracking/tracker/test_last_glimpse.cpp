@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "tracker/neighbourhood.h"
 #include "tracker/sighting.h"
 #include "tracker/track.h"
 
@@ -51,7 +52,7 @@ Track parkedFor(int frames, VehicleKalmanFilter& filter)
     for (int k = 1; k <= frames; ++k)
     {
         track = predictedTrack(std::move(track), 0.1, {0.0, 0.0}, filter, options.motion);
-        track = sightedTrack(std::move(track), wholeAt(0.1 * k), 0.0, filter, options);
+        track = sightedTrack(std::move(track), wholeAt(0.1 * k), Neighbourhood(), filter, options);
     }
     return predictedTrack(std::move(track), 0.1, {0.0, 0.0}, filter, options.motion);
 }
@@ -63,7 +64,7 @@ TEST(LastGlimpse, TellsThatAParkedCarIsThereAndNotWhere)
     Track track = parkedFor(20, filter);
     ASSERT_GT(track.hypotheses->standingProbability, 0.5);
     track.misses = 1;
-    const Track after = sightedTrack(track, glimpseAt(2.1), 0.0, filter, options);
+    const Track after = sightedTrack(track, glimpseAt(2.1), Neighbourhood(), filter, options);
     EXPECT_EQ(after.state.mean, track.state.mean);
     EXPECT_EQ(after.state.covariance, track.state.covariance);
     EXPECT_EQ(after.misses, 0);
@@ -77,7 +78,7 @@ TEST(LastGlimpse, IsASightingLikeOthersWhereTheLengthWasNeverSeen)
     VehicleKalmanFilter filter{options.motion};
     Track track = parkedFor(20, filter);
     track.told.length = false;
-    const Track after = sightedTrack(track, glimpseAt(2.1), 0.0, filter, options);
+    const Track after = sightedTrack(track, glimpseAt(2.1), Neighbourhood(), filter, options);
     EXPECT_NE(after.state.mean, track.state.mean);
     EXPECT_TRUE(after.nis.has_value());
 }
@@ -93,13 +94,13 @@ TEST(LastGlimpse, OfAParkedCarRowsThatAreCutShortDoNotMoveIt)
     cut.measurement.facesSeen.remove(Face::Back);
     cut.measurement.hiddenEnds.add(Face::Back);
     cut.side = {3.2, 10.0};
-    const Track after = sightedTrack(track, cut, 0.0, filter, options);
+    const Track after = sightedTrack(track, cut, Neighbourhood(), filter, options);
     EXPECT_LT((after.box().centre() - track.box().centre()).norm(), 0.1);
     EXPECT_LT(std::abs(after.state.mean(kSpeed)), 0.2);
     // What is not known to stand may have moved.
     Track mayMove = track;
     mayMove.hypotheses->standingProbability = 0.3;
-    const Track moved = sightedTrack(mayMove, cut, 0.0, filter, options);
+    const Track moved = sightedTrack(mayMove, cut, Neighbourhood(), filter, options);
     EXPECT_LT(moved.box().x, after.box().x - 0.03);
 }
 
@@ -122,7 +123,7 @@ Track drivenOn(VehicleKalmanFilter& filter)
         const double time = 0.1 * k;
         track = predictedTrack(std::move(track), 0.1, {0.0, 0.0}, filter, options.motion);
         track = sightedTrack(std::move(track), sightingMoved(wholeAt(time), kSpeedAhead * time),
-                             0.0, filter, options);
+                             Neighbourhood(), filter, options);
     }
     return predictedTrack(std::move(track), 0.1, {0.0, 0.0}, filter, options.motion);
 }
@@ -134,14 +135,15 @@ TEST(LastGlimpse, OfAMovingCarThatShowsNoFaceLeavesItsPose)
     const Track track = drivenOn(filter);
     ASSERT_LT(track.hypotheses->standingProbability, 0.5);
     Sighting glimpse = sightingMoved(glimpseAt(2.1), kSpeedAhead * 2.1);
-    EXPECT_EQ(sightedTrack(track, glimpse, 0.0, filter, options).state.mean, track.state.mean)
+    EXPECT_EQ(sightedTrack(track, glimpse, Neighbourhood(), filter, options).state.mean,
+              track.state.mean)
         << "a face of six hits";
     glimpse.measurement.hits = 9;
-    const Track withFace = sightedTrack(track, glimpse, 0.0, filter, options);
+    const Track withFace = sightedTrack(track, glimpse, Neighbourhood(), filter, options);
     EXPECT_NE(withFace.state.mean, track.state.mean);
     glimpse.measurement.facesSeen = {};
     glimpse.measurement.hiddenEnds = {};
-    const Track after = sightedTrack(track, glimpse, 0.0, filter, options);
+    const Track after = sightedTrack(track, glimpse, Neighbourhood(), filter, options);
     EXPECT_EQ(after.state.mean, track.state.mean);
     EXPECT_EQ(after.lastSeen, 2.1);
 }
@@ -154,10 +156,12 @@ TEST(LastGlimpse, OfAMovingCarThatSeemsToTurnAtOnceLeavesItsPose)
     Sighting glimpse = sightingMoved(glimpseAt(2.1), kSpeedAhead * 2.1);
     glimpse.measurement.hits = 9;
     glimpse.measurement.box.heading = -0.7;
-    EXPECT_EQ(sightedTrack(track, glimpse, 0.0, filter, options).state.mean, track.state.mean);
+    EXPECT_EQ(sightedTrack(track, glimpse, Neighbourhood(), filter, options).state.mean,
+              track.state.mean);
     // Unless it may have turned so far since it was seen.
     track.state.covariance(kHeading, kHeading) = 0.2 * 0.2;
-    EXPECT_NE(sightedTrack(track, glimpse, 0.0, filter, options).state.mean, track.state.mean);
+    EXPECT_NE(sightedTrack(track, glimpse, Neighbourhood(), filter, options).state.mean,
+              track.state.mean);
 }
 
 }  // namespace

@@ -125,6 +125,24 @@ Sighting seenInPart(double off, double sigma)
     return sighting;
 }
 
+TEST(Neighbourhood, NoVehicleStandsInAnother)
+{
+    const std::vector<Track> car{surelyParkedAt(1, 0.0, 3.0, 0.0)};
+    const OrientedBox along{0, 0, 0, 4.3, 1.8};
+    const OrientedBox across{0, 1.5, 0.5 * kPi, 4.3, 1.8};
+    EXPECT_FALSE(around(car).isTaken(along, kSelf)) << "beside it";
+    EXPECT_TRUE(around(car).isTaken(across, kSelf));
+    EXPECT_FALSE(around(car).isTaken(across, 1)) << "itself";
+    EXPECT_FALSE(around(car).isTaken({0, -0.6, 0.5 * kPi, 4.3, 1.8}, kSelf))
+        << "by less than lengths that are assumed may err";
+    Track hidden = car.front();
+    hidden.misses = 1;
+    EXPECT_FALSE(around({hidden}).isTaken(across, kSelf)) << "it may have gone";
+    Track shrub = car.front();
+    shrub.judgement.probability = 0.6;
+    EXPECT_FALSE(around({shrub}).isTaken(across, kSelf));
+}
+
 TEST(HeadingOfNeighbours, TurnsWhatIsVagueAboutItsHits)
 {
     const auto row = around({surelyParkedAt(1, 0.0, 2.5, 0.0), surelyParkedAt(2, 0.0, -2.5, 0.0)});

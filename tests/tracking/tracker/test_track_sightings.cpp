@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "tracker/neighbourhood.h"
 #include "tracker/track.h"
 
 namespace vdamf
@@ -40,7 +41,8 @@ double turnAfter(double turn)
     {
         track = predictedTrack(std::move(track), 0.1, {0.0, 0.0}, filter, options.motion);
         const double now = k == 19 ? turn : 0.0;
-        track = sightedTrack(std::move(track), rearTurnedBy(now, 0.1 * k), 0.0, filter, options);
+        track = sightedTrack(std::move(track), rearTurnedBy(now, 0.1 * k), Neighbourhood(), filter,
+                             options);
     }
     return std::remainder(track.state.mean(kHeading), kPi);
 }
@@ -60,7 +62,8 @@ TEST(TrackSightings, KeepsTheHitsWhereTheyAreWhenItsBoxMoves)
     for (int k = 1; k < 10; ++k)
     {
         track = predictedTrack(std::move(track), 0.1, {0.0, 0.0}, filter, options.motion);
-        track = sightedTrack(std::move(track), rearTurnedBy(0.0, 0.1 * k), 0.0, filter, options);
+        track = sightedTrack(std::move(track), rearTurnedBy(0.0, 0.1 * k), Neighbourhood(), filter,
+                             options);
     }
     track = predictedTrack(std::move(track), 0.1, {0.0, 0.0}, filter, options.motion);
     const double before = track.box().x;
@@ -72,7 +75,7 @@ TEST(TrackSightings, KeepsTheHitsWhereTheyAreWhenItsBoxMoves)
     all.measurement.facesSeen.add(Face::Left);
     all.around = all.measurement.box;
     all.side = {6.5, 60.0};
-    track = sightedTrack(std::move(track), all, 0.0, filter, options);
+    track = sightedTrack(std::move(track), all, Neighbourhood(), filter, options);
     EXPECT_GT(track.box().x, before + 0.5);
     EXPECT_NEAR(track.boxOfHits().x, all.around.x, 0.01);
 }

@@ -81,5 +81,47 @@ TEST(VehiclesBeside, ACarBesideAHedgeThatIsLongerThanAllThatIsTracked)
     expectTracked(scene);
 }
 
+// Its side is as wide as the end of a car that would stand in the one beside it.
+TEST(VehiclesBeside, AMotorcycleBesideACar)
+{
+    const std::string scene = R"(
+[scenario]
+duration_s = 4
+
+[sensor]
+x_m = 0.8
+z_m = 1.9
+
+[platform]
+speed_mps = 2
+
+[object car]
+class = car
+x_m = 12
+y_m = 5.2
+
+[object motorcycle]
+class = motorcycle
+x_m = 12
+y_m = 3.2
+)";
+    for (const int seed : {1, 2, 3})
+    {
+        const auto tracked = trackedObjects(scenarioOf(scene, seed));
+        std::set<std::uint64_t> ids;
+        std::size_t found = 0;
+        for (const Seen& seen : tracked.at("motorcycle"))
+        {
+            if (seen.tracks.empty()) continue;
+            const TrackReport& track = seen.tracks.front();
+            ++found;
+            ids.insert(track.id);
+            EXPECT_LT(std::abs(std::remainder(track.box.heading, kPi)), 0.2);
+        }
+        EXPECT_GT(found, 30U) << "seed " << seed;
+        EXPECT_EQ(ids.size(), 1U) << "seed " << seed;
+    }
+}
+
 }  // namespace
 }  // namespace vdamf

@@ -6,7 +6,9 @@
 #include <utility>
 #include <vector>
 
+#include "tracker/neighbourhood.h"
 #include "tracker/track.h"
+#include "types/box_extent.h"
 
 namespace vdamf
 {
@@ -35,13 +37,6 @@ struct Course
         return duration > 0.0 ? distance / duration * directionOf(direction - heading).cos : 0.0;
     }
 };
-
-// Half the extent of a box along a direction, m.
-double halfAlong(const OrientedBox& box, double direction)
-{
-    const Direction d = directionOf(direction - box.heading);
-    return 0.5 * (std::abs(box.length * d.cos) + std::abs(box.width * d.sin));
-}
 
 // How far a box has moved along a direction (m): as far as that one of its two faces there that has
 // moved less. The centre of a box that grows as more of it is seen moves as well, but only one face
@@ -130,6 +125,13 @@ Measurement narrowed(const Measurement& measurement, const Eigen::Vector2d& sens
     return m;
 }
 
+Measurement quarterTurned(const Track& track, int quarters, const Eigen::Vector2d& sensor,
+                          const VisibilityOptions& options)
+{
+    return narrowed(turnedBy(*track.measurement, quarters), sensor, widestEnd(track.height),
+                    options);
+}
+
 // The same path of a box turned by quarters.
 std::vector<PathPoint> turned(std::vector<PathPoint> path, int quarters)
 {
@@ -151,8 +153,7 @@ Track quarterTurned(const Track& track, const Sighting& sighting, int quarters,
                     const TrackerOptions& options)
 {
     Sighting turned = sighting;
-    turned.measurement = narrowed(turnedBy(*track.measurement, quarters), sighting.sensor,
-                                  widestEnd(track.height), options.visibility);
+    turned.measurement = quarterTurned(track, quarters, sighting.sensor, options.visibility);
     constexpr double kPathSigma = 0.4;  // m, of the ends of a path
     StartSpeed speed{0.0, options.lifecycle.startSpeedSigma};
     const auto course = steadyCourse(track);
@@ -244,11 +245,13 @@ HeadingCues sizeCues(const Sighting& sighting, double height)
     return cues;
 }
 
-Track withCheckedHeading(Track track, const Sighting& sighting, double neighbours,
+Track withCheckedHeading(Track track, const Sighting& sighting, const Neighbourhood& around,
                          const TrackerOptions& options)
 {
     HeadingCues cues = cuesOf(track, sighting);
-    cues.neighbours = neighbours;
+    cues.neighbours = around.axesEvidence(track.measurement->box, track.id) +
+                      placeTaken(quarterTurned(track, 1, sighting.sensor, options.visibility),
+                                 track.height, sighting.sensor, around, track.id, options);
     track.front = track.front.after(cues);
     int quarters = dueTurn(track.front, track.sightings < kYoung);
     if (quarters == 0) return track;

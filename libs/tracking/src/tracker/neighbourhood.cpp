@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "types/box_changes.h"
+#include "types/box_extent.h"
+#include "vdamf/tracking/estimation/start_state.h"
 
 namespace vdamf
 {
@@ -25,6 +27,7 @@ constexpr double kHeadingSpread = 0.07 * 0.07;  // rad^2
 constexpr double kLeastSpread = 0.04 * 0.04;    // rad^2, of what all around have in common
 constexpr double kAskew = 30.0 * kPi / 180.0;   // rad: stands otherwise
 constexpr double kSureNeighbour = 2.3;          // log odds, of those that are followed
+constexpr double kTooDeep = 1.0;                // m, for two vehicles in each other
 
 // Whether what lies so far from a vehicle stands in line with it or beside it.
 bool isInRow(const Eigen::Vector2d& off, double heading)
@@ -56,7 +59,7 @@ Neighbourhood::Neighbourhood(const std::vector<Track>& tracks, const Discriminat
         const double alike = right * kAlike + (1.0 - right) * (1.0 - kAlike);
         const double vehicle = discriminator.vehicleProbability(track);
         const double p = vehicle * alike + (1.0 - vehicle) * 0.5;
-        neighbours_.push_back({track.id, track.box().centre(), track.state.mean(kHeading),
+        neighbours_.push_back({track.id, track.box(), track.misses == 0,
                                track.state.covariance(kHeading, kHeading),
                                std::log(p / (1.0 - p))});
     }
@@ -69,7 +72,7 @@ void Neighbourhood::forEachWithin(double reach, const Eigen::Vector2d& centre, s
     for (const std::size_t k : index_.overlapping(PlaneBounds::around(centre, reach)))
     {
         const Neighbour& other = neighbours_[k];
-        if (other.id != self && (other.centre - centre).norm() <= reach) use(other);
+        if (other.id != self && (other.box.centre() - centre).norm() <= reach) use(other);
     }
 }
 
@@ -79,16 +82,28 @@ double Neighbourhood::axesEvidence(const OrientedBox& box, std::uint64_t self) c
     forEachWithin(kReachInRow, box.centre(), self,
                   [&](const Neighbour& other)
                   {
-                      const Eigen::Vector2d off = box.centre() - other.centre;
-                      if (off.norm() > kReach && !isInRow(off, other.heading)) return;
+                      const Eigen::Vector2d off = box.centre() - other.box.centre();
+                      if (off.norm() > kReach && !isInRow(off, other.box.heading)) return;
                       const double turn =
-                          std::abs(std::remainder(other.heading - box.heading, kPi));
+                          std::abs(std::remainder(other.box.heading - box.heading, kPi));
                       if (turn < kSame)
                           sum += other.logOdds;
                       else if (turn > 0.5 * kPi - kSame)
                           sum -= other.logOdds;
                   });
     return std::clamp(sum, -kMostLogOdds, kMostLogOdds);
+}
+
+bool Neighbourhood::isTaken(const OrientedBox& place, std::uint64_t self) const
+{
+    bool taken = false;
+    forEachWithin(kReach, place.centre(), self,
+                  [&](const Neighbour& other)
+                  {
+                      taken = taken || (other.isInSight && other.logOdds >= kSureNeighbour &&
+                                        depthInEachOther(place, other.box) > kTooDeep);
+                  });
+    return taken;
 }
 
 std::optional<HeadingPrior> Neighbourhood::heading(const OrientedBox& box, std::uint64_t self) const
@@ -98,7 +113,7 @@ std::optional<HeadingPrior> Neighbourhood::heading(const OrientedBox& box, std::
     forEachWithin(kReach, box.centre(), self,
                   [&](const Neighbour& other)
                   {
-                      const double turn = std::remainder(other.heading - box.heading, kPi);
+                      const double turn = std::remainder(other.box.heading - box.heading, kPi);
                       if (other.logOdds < kSureNeighbour || std::abs(turn) > kAskew) return;
                       const double each = 1.0 / (kHeadingSpread + other.headingVariance);
                       information += each;
@@ -107,6 +122,15 @@ std::optional<HeadingPrior> Neighbourhood::heading(const OrientedBox& box, std::
     if (information == 0.0) return std::nullopt;
     return HeadingPrior{box.heading + turns / information,
                         std::max(1.0 / information, kLeastSpread)};
+}
+
+double placeTaken(const Measurement& measurement, double height, const Eigen::Vector2d& sensor,
+                  const Neighbourhood& around, std::uint64_t self, const TrackerOptions& options)
+{
+    constexpr double kTaken = 6.0;  // more than sizes can say
+    const OrientedBox box =
+        startState(measurement, height, sensor, {}, options.visibility, options.motion).box();
+    return around.isTaken(box, self) ? kTaken : 0.0;
 }
 
 Sighting withHeadingOfNeighbours(Sighting sighting, const Neighbourhood& around, std::uint64_t self)

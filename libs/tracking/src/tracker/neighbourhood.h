@@ -25,12 +25,18 @@ struct HeadingPrior
 class Neighbourhood
 {
 public:
+    /// Nobody is around.
+    Neighbourhood() : index_({}) {}
     Neighbourhood(const std::vector<Track>& tracks, const Discriminator& discriminator);
 
     /// Log odds that length and width of a box are as they are held rather than exchanged, by the
     /// vehicles around it but for the track `self`. Neighbours count by what they themselves showed
     /// of their axes, never by what their own neighbours tell.
     double axesEvidence(const OrientedBox& box, std::uint64_t self) const;
+
+    /// Whether a vehicle that is in sight, known to be one and how it lies, but for `self`, fills a
+    /// part of that place.
+    bool isTaken(const OrientedBox& place, std::uint64_t self) const;
 
     /// The heading of a vehicle at that place by those around it but for `self`, near that of the
     /// box or its reverse; nothing where none is.
@@ -40,10 +46,10 @@ private:
     struct Neighbour
     {
         std::uint64_t id = 0;
-        Eigen::Vector2d centre = Eigen::Vector2d::Zero();  // m
-        double heading = 0.0;                              // rad
-        double headingVariance = 0.0;                      // rad^2
-        double logOdds = 0.0;  // that another's length lies along its heading
+        OrientedBox box;
+        bool isInSight = false;        // it was, in the last frame
+        double headingVariance = 0.0;  // rad^2
+        double logOdds = 0.0;          // that another's length lies along its heading
     };
 
     template <class Use>
@@ -53,6 +59,11 @@ private:
     std::vector<Neighbour> neighbours_;
     PlaneIndex index_;
 };
+
+/// Log odds that a vehicle does not lie as it was measured, as another one stands there; 0 where
+/// none does. `height`: of what is seen, m.
+double placeTaken(const Measurement& measurement, double height, const Eigen::Vector2d& sensor,
+                  const Neighbourhood& around, std::uint64_t self, const TrackerOptions& options);
 
 /// The sighting with its box turned, about the middle of the hits, towards the heading of the
 /// vehicles around it, as far as its own is uncertain. What it says of its errors stays as it is:

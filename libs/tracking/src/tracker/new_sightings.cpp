@@ -142,15 +142,20 @@ std::optional<Sighting> firstSighting(const SegmentedFrame& frame, const Start& 
                  options.measurement.fit);
     if (std::hypot(start.length, start.width) > options.lifecycle.maxExtent) return std::nullopt;
     return withLikelierAxes(
-        sightingOf(frame, {at.cluster}, seen, start, std::nullopt, options.measurement), around);
+        sightingOf(frame, {at.cluster}, seen, start, std::nullopt, options.measurement), around,
+        options);
 }
 }  // namespace
 
-Sighting withLikelierAxes(Sighting sighting, const Neighbourhood& around)
+Sighting withLikelierAxes(Sighting sighting, const Neighbourhood& around,
+                          const TrackerOptions& options)
 {
     constexpr std::uint64_t kNew = 0;
+    const Measurement& m = sighting.measurement;
+    const auto taken = [&](const Measurement& as)
+    { return placeTaken(as, sighting.height, sighting.sensor, around, kNew, options); };
     const double evidence = axesEvidence(sizeCues(sighting, sighting.height)) +
-                            around.axesEvidence(sighting.measurement.box, kNew);
+                            around.axesEvidence(m.box, kNew) + taken(turnedBy(m, 1)) - taken(m);
     if (evidence < 0.0)
     {
         sighting.measurement = turnedBy(sighting.measurement, 1);

@@ -19,6 +19,7 @@ std::vector<Sighting> newSightings(const SegmentedFrame& frame, const std::vecto
                                    WorkerPool& workers);
 
 /// With length and width exchanged where the sizes seen and the vehicles around say so.
-Sighting withLikelierAxes(Sighting sighting, const Neighbourhood& around);
+Sighting withLikelierAxes(Sighting sighting, const Neighbourhood& around,
+                          const TrackerOptions& options);
 
 }  // namespace vdamf

@@ -108,13 +108,14 @@ struct Track
     double widthSigma() const { return std::sqrt(state.widthVariance); }
 };
 
+class Neighbourhood;
+
 /// A new track from its first sighting.
 Track startedTrack(std::uint64_t id, const Sighting& sighting, const StartSpeed& speed,
                    const TrackerOptions& options);
 
 /// The track after a sighting: visibility correction, Kalman update, heading checks.
-/// `neighbours`: log odds for the axes held, by the vehicles around it.
-Track sightedTrack(Track track, const Sighting& sighting, double neighbours,
+Track sightedTrack(Track track, const Sighting& sighting, const Neighbourhood& around,
                    VehicleKalmanFilter& filter, const TrackerOptions& options);
 
 /// What the faces that a sighting shows of a vehicle of that height (m) tell of its axes.
@@ -122,7 +123,7 @@ HeadingCues sizeCues(const Sighting& sighting, double height);
 
 /// The track with its front where path and sizes say it is: exchanged with the rear or turned by a
 /// quarter once the odds for that are high. `sighting` is the one that was just taken in.
-Track withCheckedHeading(Track track, const Sighting& sighting, double neighbours,
+Track withCheckedHeading(Track track, const Sighting& sighting, const Neighbourhood& around,
                          const TrackerOptions& options);
 
 /// The track with all positions moved (m), for a frame of another origin. What it has of the last

@@ -175,7 +175,8 @@ Track updatedBy(const BoxMeasurement& box, Track track, const Measurement& m,
                                  options.visibility);
         });
     track.jitter = jitter.after(then, box, dt);
-    hypotheses = updated(hypotheses, box, jitter, filter, options.lifecycle.nisGate);
+    hypotheses =
+        updated(hypotheses, box, jitter, track.viewChanged, filter, options.lifecycle.nisGate);
     if (track.sightings == track.startedAt)
         hypotheses.forEach([](VehicleState& state) { state = withUsualCurvature(state); });
     track.lastingError = lastingError(box, jitter);
@@ -213,7 +214,7 @@ Track startedTrack(std::uint64_t id, const Sighting& sighting, const StartSpeed&
     return track;
 }
 
-Track sightedTrack(Track track, const Sighting& sighting, double neighbours,
+Track sightedTrack(Track track, const Sighting& sighting, const Neighbourhood& around,
                    VehicleKalmanFilter& filter, const TrackerOptions& options)
 {
     const VisibilityOptions& visibility = options.visibility;
@@ -245,7 +246,7 @@ Track sightedTrack(Track track, const Sighting& sighting, double neighbours,
     const Vector5d& b = box.box;
     appendToPath(track,
                  {sighting.time + sighting.lag, {b(0), b(1), b(2), b(3), b(4)}, locatedFaces(m)});
-    return withCheckedHeading(std::move(track), sighting, neighbours, options);
+    return withCheckedHeading(std::move(track), sighting, around, options);
 }
 
 }  // namespace vdamf

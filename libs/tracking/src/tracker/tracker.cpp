@@ -186,9 +186,7 @@ private:
                             ? withHeadingOfNeighbours(std::move(*sightings[j]), around, track.id)
                             : std::move(*sightings[j]);
                     track = typeFilters_.judged(
-                        sightedTrack(std::move(track), seen,
-                                     around.axesEvidence(seen.measurement.box, track.id),
-                                     filters_[worker], options_),
+                        sightedTrack(std::move(track), seen, around, filters_[worker], options_),
                         seen);
                 }
                 else if (!assignment[j].empty())

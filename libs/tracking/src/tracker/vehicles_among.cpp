@@ -35,10 +35,10 @@ std::optional<PredictedTarget> vehicleIn(const SegmentedFrame& piece, const Neig
     const OrientedBox start =
         startBox(*seen.hits, piece.sensor, widestEnd(height), options.measurement.fit);
     if (std::hypot(start.length, start.width) > options.lifecycle.maxExtent) return std::nullopt;
-    const Measurement m =
-        withLikelierAxes(
-            sightingOf(piece, {0}, seen, start, std::nullopt, options.measurement, kEffort), around)
-            .measurement;
+    const Measurement m = withLikelierAxes(sightingOf(piece, {0}, seen, start, std::nullopt,
+                                                      options.measurement, kEffort),
+                                           around, options)
+                              .measurement;
     if (discriminator.vehicleProbability(m, piece, {0}) < kSurelyAVehicle) return std::nullopt;
     PredictedTarget vehicle;
     vehicle.box = startState(m, height, piece.sensor, {}, options.visibility, options.motion).box();
