@@ -57,19 +57,6 @@ TEST(Jitter, SharesFollowWhatChangesFromFrameToFrame)
     EXPECT_NEAR(shares.values()(2), 0.8, 0.4);
 }
 
-TEST(Jitter, WhatChangedOfTheLastingErrorIsNewAsWell)
-{
-    const BoxMeasurement exact = rearEnd();
-    JitterShares shares;
-    for (int k = 0; k < 100; ++k) shares = shares.after(foretold(exact), exact, 0.1);
-    const Eigen::Vector3d before = shares.values();
-    ASSERT_LT(before.maxCoeff(), 0.5);
-    EXPECT_EQ(shares.withChanged(0.0).values(), before);
-    EXPECT_TRUE(
-        shares.withChanged(0.5).values().isApprox(0.5 * (before + Eigen::Vector3d::Ones()), 1e-12));
-    EXPECT_EQ(shares.withChanged(1.0).values(), Eigen::Vector3d::Ones());
-}
-
 TEST(Jitter, AVagueForecastTellsNothingOfIt)
 {
     VehicleState vague = foretold(rearEnd());

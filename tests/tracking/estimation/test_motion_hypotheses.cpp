@@ -32,7 +32,7 @@ public:
         const auto noise = [&](double sigma) { return noise_ * sigma * gauss_(generator_); };
         m.box << x + noise(0.06), noise(0.03), noise(0.01), 4.5 + noise(0.1), 1.8;
         m.covariance.diagonal() << 0.0036, 0.0009, 1e-4, 0.01, 0.01;
-        hypotheses = updated(predicted(hypotheses, 0.1, filter_, options_), m, JitterShares(), 1.0,
+        hypotheses = updated(predicted(hypotheses, 0.1, filter_, options_), m, JitterShares(),
                              filter_, 11.34);
     }
 
@@ -151,7 +151,7 @@ TEST(MotionHypotheses, WhatTurnsKeepsItsSpeedKnown)
         m.box << x + 0.03 * gauss(generator), y + 0.02 * gauss(generator),
             heading + 0.01 * gauss(generator), 4.5, 1.8;
         m.covariance.diagonal() << 9e-4, 4e-4, 1e-4, 0.01, 0.01;
-        h = updated(predicted(h, 0.1, filter, options), m, JitterShares(), 1.0, filter, 11.34);
+        h = updated(predicted(h, 0.1, filter, options), m, JitterShares(), filter, 11.34);
         if (k == 49)
         {
             EXPECT_GT(h.drivingProbability[2], 0.5) << "steady";
@@ -242,37 +242,6 @@ TEST(MotionHypotheses, MixtureHasTheSpreadOfItsMeans)
     EXPECT_NEAR(std::abs(both.mean(kHeading)), kPi, 1e-12);
 }
 
-// Where the same hits come again, errors that last cannot feign that it sets off.
-TEST(MotionHypotheses, SettingOffIsSeenSoonerWhereTheViewStays)
-{
-    const auto framesToTell = [](double viewChanged)
-    {
-        const MotionOptions options;
-        VehicleKalmanFilter filter{options};
-        MotionHypotheses h = hypothesesFrom(unknownSpeed(), options);
-        JitterShares jitter;
-        const auto see = [&](double x)
-        {
-            BoxMeasurement m;
-            m.box << x, 0.0, 0.0, 4.5, 1.8;
-            m.covariance.diagonal() << 0.0036, 0.0009, 1e-4, 0.01, 0.01;
-            h = predicted(h, 0.1, filter, options);
-            jitter = jitter.after(h.combined(options), m, 0.1);
-            h = updated(h, m, jitter, viewChanged, filter, 11.34);
-        };
-        for (int k = 0; k < 40; ++k) see(0.0);
-        int frames = 0;
-        while (h.standingProbability > 0.05 && frames < 50)
-        {
-            ++frames;
-            see(0.5 * 1.5 * std::pow(0.1 * frames, 2));
-        }
-        return frames;
-    };
-    EXPECT_LT(framesToTell(0.0), framesToTell(1.0));
-    EXPECT_LE(framesToTell(1.0), 8);
-}
-
 // Which of the two erred is not known, but for what stands.
 TEST(MotionHypotheses, SurprisesAreMetHalfwayByWhatMayMove)
 {
@@ -286,7 +255,7 @@ TEST(MotionHypotheses, SurprisesAreMetHalfwayByWhatMayMove)
     m.box << 4.0, 0.0, 0.0, 4.5, 1.8;
     m.covariance.diagonal() << 0.04, 0.04, 1e-4, 0.01, 0.01;
     const MotionHypotheses h =
-        updated(hypothesesFrom(state, options), m, JitterShares(), 1.0, filter, 11.34);
+        updated(hypothesesFrom(state, options), m, JitterShares(), filter, 11.34);
     EXPECT_NEAR(h.driving.front().mean(kX), 2.0, 0.3);
     EXPECT_GT(h.driving.front().covariance(kX, kX), 0.2);
     EXPECT_LT(h.standing.mean(kX), 0.5);
@@ -304,7 +273,7 @@ TEST(MotionHypotheses, WhatMovesAcrossItsHeadingMovesFreely)
         BoxMeasurement m;
         m.box << 0.0, 0.15 * k, 0.0, 4.5, 1.8;
         m.covariance.diagonal() << 0.0036, 0.0036, 1e-4, 0.01, 0.01;
-        h = updated(predicted(h, 0.1, filter, options), m, JitterShares(), 1.0, filter, 11.34);
+        h = updated(predicted(h, 0.1, filter, options), m, JitterShares(), filter, 11.34);
     }
     EXPECT_GT(h.freeProbability, 0.9);
     EXPECT_LT(h.standingProbability, 0.1);

@@ -42,13 +42,6 @@ double mostLasting(Eigen::Index row)
     return row == 2 ? kHeading * kHeading : kPlace * kPlace;
 }
 
-JitterShares JitterShares::withChanged(double share) const
-{
-    JitterShares next = *this;
-    next.shares_ += share * (Eigen::Vector3d::Ones() - shares_);
-    return next;
-}
-
 JitterShares JitterShares::after(const VehicleState& predicted, const BoxMeasurement& measurement,
                                  double dt) const
 {

@@ -67,12 +67,6 @@ Ways weighed(Ways ways, const Surprises& foretold, double gate)
     return asProbabilities(ways);
 }
 
-// Of the lasting error of measurements, how much is another one after a change of view.
-double shareChanged(double viewChange)
-{
-    return std::min(1.0, 2.0 * viewChange);
-}
-
 // A measured box, whole and with its jitter alone.
 struct Measured
 {
@@ -225,30 +219,24 @@ MotionHypotheses drifted(const MotionHypotheses& h, const Eigen::Matrix3d& lasti
                          double viewChange)
 {
     MotionHypotheses next = h;
-    const Eigen::Matrix3d less = shareChanged(viewChange) * lastingError;
+    const Eigen::Matrix3d less = std::min(1.0, 2.0 * viewChange) * lastingError;
     next.forEach([&](VehicleState& state) { state.covariance.topLeftCorner<3, 3>() += less; });
     return next;
 }
 
 MotionHypotheses updated(const MotionHypotheses& h, const BoxMeasurement& measurement,
-                         const JitterShares& jitter, double viewChanged,
-                         VehicleKalmanFilter& filter, double nisGate)
+                         const JitterShares& jitter, VehicleKalmanFilter& filter, double nisGate)
 {
     const Measured measured{measurement, withJitterAlone(measurement, jitter)};
     Foretold foretold;
     MotionHypotheses next = h;
     const PlacedPoint whole = measuredPoint(measured.whole);
     const PlacedPoint sharpest = measuredPoint(measured.jitter);
-    const PlacedPoint changed =
-        measuredPoint(withJitterAlone(measurement, jitter.withChanged(shareChanged(viewChanged))));
-    Surprises sinceLately;
     next.forEach(
         [&](const VehicleState& state)
         {
             const VehicleState then = stateAt(state, measurement.lag, filter.options());
-            const PlacedPoint point = foretoldPoint(then, measurement.fixedPoint);
-            foretold.add(point, whole, sharpest);
-            sinceLately.add(surpriseOf(point, changed));
+            foretold.add(foretoldPoint(then, measurement.fixedPoint), whole, sharpest);
         });
     const Surprises& sharp = foretold.jitter;
 
@@ -256,12 +244,12 @@ MotionHypotheses updated(const MotionHypotheses& h, const BoxMeasurement& measur
     next.drivingProbability = weighed(h.drivingProbability, sharp, nisGate);
 
     const Rest rests = restOf(h, sharp, nisGate);
-    const Rest restsByAll = restOf(h, sinceLately, nisGate);
+    const Rest restsByAll = restOf(h, foretold.whole, nisGate);
     // What surely drives does not stand at once.
     const double least =
         std::clamp(restProbability(h.driving.front()), kLeastStanding, kLeastProbability);
     // What stands seems to move as its view changes: jitter tells that it stands, and no more than
-    // all of the error that may be another one than of late that it does not.
+    // the whole error that it does not.
     next.standingProbability =
         std::clamp(std::max(rests.standing, restsByAll.standing), least, 1.0 - kLeastProbability);
     if (h.freeProbability > 0.0) next.freeProbability = bounded(restsByAll.free);

@@ -175,8 +175,7 @@ Track updatedBy(const BoxMeasurement& box, Track track, const Measurement& m,
                                  options.visibility);
         });
     track.jitter = jitter.after(then, box, dt);
-    hypotheses =
-        updated(hypotheses, box, jitter, track.viewChanged, filter, options.lifecycle.nisGate);
+    hypotheses = updated(hypotheses, box, jitter, filter, options.lifecycle.nisGate);
     if (track.sightings == track.startedAt)
         hypotheses.forEach([](VehicleState& state) { state = withUsualCurvature(state); });
     track.lastingError = lastingError(box, jitter);

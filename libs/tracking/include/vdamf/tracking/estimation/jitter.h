@@ -18,10 +18,6 @@ class JitterShares
 public:
     const Eigen::Vector3d& values() const { return shares_; }
 
-    /// The shares of what is new since a while, in which that share (0..1) of the lasting error
-    /// became another one.
-    JitterShares withChanged(double share) const;
-
     /// After a measurement that was foretold as `predicted` (at the measurement's own time), `dt`
     /// seconds after the one before.
     JitterShares after(const VehicleState& predicted, const BoxMeasurement& measurement,

@@ -58,10 +58,8 @@ MotionHypotheses drifted(const MotionHypotheses& hypotheses, const Eigen::Matrix
 
 /// All after a measurement, of whose variance a share is jitter. Where its NIS is above `nisGate`,
 /// both it and what may move are that much less certain, and of what stands it alone. A standing
-/// hypothesis that was refuted starts again where the vehicle is. `viewChanged`: of late, as
-/// changeOfView() counts.
+/// hypothesis that was refuted starts again where the vehicle is.
 MotionHypotheses updated(const MotionHypotheses& hypotheses, const BoxMeasurement& measurement,
-                         const JitterShares& jitter, double viewChanged,
-                         VehicleKalmanFilter& filter, double nisGate);
+                         const JitterShares& jitter, VehicleKalmanFilter& filter, double nisGate);
 
 }  // namespace vdamf
