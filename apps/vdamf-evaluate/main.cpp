@@ -42,6 +42,10 @@ struct Output
 void declareScoring(CLI::App& app, CommandLine& line)
 {
     vdamf::ScoringOptions& scoring = line.options.scoring;
+    app.add_option("--classes", scoring.classes, "objects that count, by commas")
+        ->delimiter(',')
+        ->check(CLI::IsMember(vdamf::truthClasses()))
+        ->capture_default_str();
     app.add_option("--region-fov-deg", line.regionFovDegrees,
                    "labelled sector ahead of the sensor; 0: all around (KITTI: 80)")
         ->check(vdamf::within(0.0, 360.0))

@@ -141,6 +141,16 @@ TEST_F(EvaluateAppTest, TheRegionLimitsWhatIsScored)
     EXPECT_EQ(metrics("--min-points 80")["scored"]["object_rows"], 40);
 }
 
+TEST_F(EvaluateAppTest, ObjectsOfTheClassesAskedForCount)
+{
+    writeTables(unchanged);
+    EXPECT_EQ(metrics("--classes Van,Car")["scored"]["object_rows"], 40);
+    const Json riders = metrics("--classes Cyclist");
+    EXPECT_EQ(riders["scored"]["object_rows"], 0);
+    EXPECT_EQ(riders["scored"]["dont_care_rows"], 40);
+    EXPECT_EQ(riders["options"]["classes"], Json({"Cyclist"}));
+}
+
 TEST_F(EvaluateAppTest, TentativeTracksCountWhenAsked)
 {
     writeTables(

@@ -73,8 +73,9 @@ TEST_F(EvaluateAppErrors, AFailedJobSaysWhereAndWhy)
 
 TEST_F(EvaluateAppErrors, ABadCommandLineIsTwo)
 {
-    for (const char* bad : {"--nonsense", "--overlap 0", "--overlap 1.5", "--min-points -1",
-                            "--region-fov-deg 361", "--max-range-m x", "extra"})
+    for (const char* bad :
+         {"--nonsense", "--overlap 0", "--overlap 1.5", "--min-points -1", "--region-fov-deg 361",
+          "--classes Cyclists", "--max-range-m x", "extra"})
     {
         EXPECT_EQ(evaluate(bad).exitCode, 2) << bad;
     }

@@ -104,6 +104,21 @@ TEST(MakeSequence, VehiclesWithHitsCount)
     EXPECT_THAT(counted, ElementsAre("Bus", "Car", "Tram", "Truck", "Van", "hits 1"));
 }
 
+TEST(MakeSequence, OtherClassesCountWhenAskedFor)
+{
+    Scene scene;
+    for (const std::string& name : truthClasses())
+        scene.object(0, name, carAt(0.0)).objectClass = name;
+    ScoringOptions options;
+    options.classes = {"Cyclist", "Pedestrian"};
+    const ScoredFrame frame = scene.sequence(options).frames.at(0);
+    for (std::size_t i = 0; i < frame.truth.size(); ++i)
+    {
+        const std::string& name = frame.truth[i].objectClass;
+        EXPECT_EQ(frame.counts[i], name == "Cyclist" || name == "Pedestrian") << name;
+    }
+}
+
 TEST(MakeSequence, PublishedTracksAreScored)
 {
     Scene scene = lonelyObject(1);

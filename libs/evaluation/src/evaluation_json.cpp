@@ -83,7 +83,8 @@ Json consistencyJson(const Consistency& c)
 Json optionsJson(const EvaluationOptions& options)
 {
     const ScoringOptions& s = options.scoring;
-    return {{"overlap", s.overlap},
+    return {{"classes", s.classes},
+            {"overlap", s.overlap},
             {"pair_overlap", options.pairOverlap},
             {"min_points", s.minPoints},
             {"max_range_m", s.maxRange > 0.0 ? Json(s.maxRange) : Json(nullptr)},

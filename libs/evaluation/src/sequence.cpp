@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vdamf/evaluation/sequence.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "frame_rows.h"
@@ -32,8 +33,9 @@ bool doesCount(const TruthRow& row, const std::optional<PlanePose>& sensor,
                const ScoringOptions& options)
 {
     const bool hasHits = row.points < 0 || row.points >= options.minPoints;
-    return isVehicleClass(row.objectClass) && hasHits &&
-           isInRegion(row.box.centre(), sensor, options);
+    const bool isAskedFor = std::find(options.classes.begin(), options.classes.end(),
+                                      row.objectClass) != options.classes.end();
+    return isAskedFor && hasHits && isInRegion(row.box.centre(), sensor, options);
 }
 
 bool isPublished(const TrackReport& report, const ScoringOptions& options)

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <limits>
-#include <set>
 #include <stdexcept>
 
 #include "checked_cells.h"
@@ -88,10 +87,16 @@ const std::vector<std::string>& truthClasses()
     return kClasses;
 }
 
+const std::vector<std::string>& vehicleClasses()
+{
+    static const std::vector<std::string> kVehicles = {"Car", "Van", "Truck", "Tram", "Bus"};
+    return kVehicles;
+}
+
 bool isVehicleClass(const std::string& objectClass)
 {
-    static const std::set<std::string> kVehicles = {"Car", "Van", "Truck", "Tram", "Bus"};
-    return kVehicles.count(objectClass) > 0;
+    const std::vector<std::string>& vehicles = vehicleClasses();
+    return std::find(vehicles.begin(), vehicles.end(), objectClass) != vehicles.end();
 }
 
 const std::vector<std::string>& truthColumns()

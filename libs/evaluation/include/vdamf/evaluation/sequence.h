@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "vdamf/evaluation/tables.h"
@@ -14,6 +15,7 @@ namespace vdamf
 /// track on it is no false alarm.
 struct ScoringOptions
 {
+    std::vector<std::string> classes = vehicleClasses();  ///< of the objects that count
     double overlap = 0.5;         ///< bird's-eye IoU from which a track has found an object
     int minPoints = 1;            ///< objects with fewer hits are don't care; unknown counts count
     double maxRange = 0.0;        ///< region: centres this near to the sensor, m; 0: all
@@ -41,15 +43,15 @@ struct Sequence
     std::vector<ScoredFrame> frames;
 };
 
-/// Vehicles (Car, Van, Truck, Tram, Bus) with their centre in the region and with enough hits
-/// count; all other truth is don't care. Unpublished tracks (tentative, ended) are left out, and
-/// those with their centre outside of the region, unless they overlap an object that counts by
-/// `overlap`: at the border truth and track may stand on different sides of it, and that is neither
-/// a miss nor a false alarm. The sensor's pose at frames whose rows have none is interpolated
-/// between those that have one. Throws std::runtime_error where the region needs the sensor's pose
-/// and the truth has none (it names the missing columns), where an object or a track stands twice
-/// in a frame, where the truth is empty, and where no frame of the two tables has a time in common.
-/// No tracks at all: every object is missed.
+/// Objects of the classes asked for (Car, Van, Truck, Tram, Bus) with their centre in the region
+/// and with enough hits count; all other truth is don't care. Unpublished tracks (tentative, ended)
+/// are left out, and those with their centre outside of the region, unless they overlap an object
+/// that counts by `overlap`: at the border truth and track may stand on different sides of it, and
+/// that is neither a miss nor a false alarm. The sensor's pose at frames whose rows have none is
+/// interpolated between those that have one. Throws std::runtime_error where the region needs the
+/// sensor's pose and the truth has none (it names the missing columns), where an object or a track
+/// stands twice in a frame, where the truth is empty, and where no frame of the two tables has a
+/// time in common. No tracks at all: every object is missed.
 Sequence makeSequence(const std::vector<TruthRow>& truth, const std::vector<TrackRow>& tracks,
                       const ScoringOptions& options);
 

@@ -48,6 +48,7 @@ struct TrackRow
 /// The classes of truth.csv.
 const std::vector<std::string>& truthClasses();
 /// Car, Van, Truck, Tram and Bus.
+const std::vector<std::string>& vehicleClasses();
 bool isVehicleClass(const std::string& objectClass);
 /// Without the columns of `sensor`, which a table may lack.
 const std::vector<std::string>& truthColumns();
