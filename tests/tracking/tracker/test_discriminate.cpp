@@ -177,6 +177,26 @@ TEST(Discriminate, WhatDrivesAsVehiclesDoIsOneWhateverItLooksLike)
     EXPECT_GT(bus.judgement.probability, 10.0 * never.judgement.probability);
 }
 
+TEST(Discriminate, WhatIsNoneAndStandsLiesAlongItsLongerSide)
+{
+    const Discriminator discriminator = always(-4.0);
+    Track parked = carAlong(1);
+    parked.sightings = 10;
+    parked.judgement.probability = 0.02;
+    parked.stoodProbability = 0.9;
+    parked.around = {0.0, 0.0, 0.0, 0.4, 1.7};
+    const OrientedBox bicycle = discriminator.extentOf(parked);
+    EXPECT_DOUBLE_EQ(bicycle.length, 1.7);
+    EXPECT_DOUBLE_EQ(bicycle.width, 0.4);
+    EXPECT_DOUBLE_EQ(bicycle.heading, 0.5 * kPi);
+    Track goes = parked;
+    goes.stoodProbability = 0.1;
+    EXPECT_DOUBLE_EQ(discriminator.extentOf(goes).length, 0.4) << "its speed is along its heading";
+    Track car = parked;
+    car.judgement.probability = 0.9;
+    EXPECT_EQ(discriminator.extentOf(car).length, car.box().length);
+}
+
 TEST(Discriminate, WhatOnlySeemsToDriveIsNoVehicle)
 {
     const Discriminator discriminator = always(-4.0);

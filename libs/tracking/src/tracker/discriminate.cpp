@@ -145,7 +145,9 @@ OrientedBox Discriminator::extentOf(const Track& track) const
     OrientedBox extent = track.boxOfHits();
     extent.length = std::max(extent.length, kThinnest);
     extent.width = std::max(extent.width, kThinnest);
-    return extent;
+    const bool liesAcross = track.stood() && !track.isFaceless && extent.width > extent.length;
+    if (!liesAcross) return extent;
+    return {extent.x, extent.y, wrapAngle(extent.heading + 0.5 * kPi), extent.width, extent.length};
 }
 
 TrackReport Discriminator::withProbability(TrackReport report, const Track& track) const

@@ -29,7 +29,7 @@ public:
     bool rulesOut(const Track& track) const;
 
     /// What the track covers: its box, or, of what is ruled out, the rectangle of its hits: what is
-    /// no vehicle is not as large as one either.
+    /// no vehicle is not as large as one either, and lies along its longer side where it stands.
     OrientedBox extentOf(const Track& track) const;
 
     /// By all frames of the track; 0.5 where nothing discriminates.

@@ -31,6 +31,7 @@ Track movedBy(Track track, const Eigen::Vector3d& by)
     {
         point.box.x += by.x();
         point.box.y += by.y();
+        point.hits += by.head<2>();
     }
     track.seenFrom += by.head<2>();
     track.groundZ += by.z();
@@ -49,7 +50,11 @@ Track movedBy(Track track, const PlaneMotion& by)
     };
     track.hypotheses->forEach(move);
     move(track.state);
-    for (PathPoint& point : track.path) point.box = by.of(point.box);
+    for (PathPoint& point : track.path)
+    {
+        point.box = by.of(point.box);
+        point.hits = by.of(point.hits);
+    }
     return track;
 }
 

@@ -26,8 +26,9 @@ namespace vdamf
 struct PathPoint
 {
     double time = 0.0;
-    OrientedBox box;  ///< m, rad
-    FaceSet located;  ///< those whose place the measurement told
+    OrientedBox box;                                 ///< m, rad
+    FaceSet located;                                 ///< those whose place the measurement told
+    Eigen::Vector2d hits = Eigen::Vector2d::Zero();  ///< middle of their rectangle, m
 };
 
 /// What the discriminator holds of a track.
@@ -68,6 +69,7 @@ struct Track
     SizesTold told;
     OrientedBox around;           ///< the hits of the last sighting, in the frame of the box
     std::vector<PathPoint> path;  ///< sightings of the last seconds
+    bool isFaceless = false;      ///< tracked by its hits alone, as riders and people are
     Judgement judgement;
     std::vector<double> typeEvidence;  ///< by filter of the bank, log-likelihoods
     std::optional<TypeProbability> type;

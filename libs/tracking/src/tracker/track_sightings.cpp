@@ -7,6 +7,7 @@
 
 #include "tracker/discriminate.h"
 #include "tracker/existence.h"
+#include "tracker/faceless.h"
 #include "types/box_changes.h"
 
 namespace vdamf
@@ -158,28 +159,69 @@ double repeatedHits(const Track& track)
     return track.hypotheses->standingProbability * std::exp(-track.viewChanged / kOtherHits);
 }
 
+// With hypotheses that are less certain of their sizes where the measurement shows more.
+Track openToGrowth(Track track, const Measurement& m, double lag, const TrackerOptions& options)
+{
+    // What was only assumed of what stands is no reason to take in what it stands beside.
+    const bool mayBeLonger = track.told.length || !stands(track);
+    track.hypotheses->forEach(
+        [&](VehicleState& state)
+        {
+            state = openToGrowth(state, broughtTo(state, m, lag, options.motion), mayBeLonger,
+                                 options.visibility);
+        });
+    return track;
+}
+
 // The hypotheses, and how they err, after a box measured `dt` seconds after the one before.
-Track updatedBy(const BoxMeasurement& box, Track track, const Measurement& m,
-                const VehicleState& then, double dt, VehicleKalmanFilter& filter,
-                const TrackerOptions& options)
+Track updatedBy(const BoxMeasurement& box, Track track, const VehicleState& then, double dt,
+                VehicleKalmanFilter& filter, const TrackerOptions& options)
 {
     MotionHypotheses& hypotheses = *track.hypotheses;
     const JitterShares jitter = track.jitter;  // before this sighting
     track.nis = innovationOf(then, withJitterAlone(box, jitter)).nis();
-    // What was only assumed of what stands is no reason to take in what it stands beside.
-    const bool mayBeLonger = track.told.length || !stands(track);
-    hypotheses.forEach(
-        [&](VehicleState& state)
-        {
-            state = openToGrowth(state, broughtTo(state, m, box.lag, options.motion), mayBeLonger,
-                                 options.visibility);
-        });
     track.jitter = jitter.after(then, box, dt);
     hypotheses = updated(hypotheses, box, jitter, filter, options.lifecycle.nisGate);
     if (track.sightings == track.startedAt)
         hypotheses.forEach([](VehicleState& state) { state = withUsualCurvature(state); });
     track.lastingError = lastingError(box, jitter);
     track.errors = toldErrors(box, track.jitter, repeatedHits(track), track.errors);
+    return track;
+}
+
+VehicleState foretoldAt(double lag, const Track& track, const MotionOptions& options)
+{
+    return stateAt(track.hypotheses->combined(options), lag, options);
+}
+
+// What follows from the hypotheses, and the history, after a sighting by which they were updated.
+Track takenIn(Track track, const Sighting& sighting, const BoxMeasurement& box,
+              const TrackerOptions& options)
+{
+    const Measurement& m = *track.measurement;
+    const Vector5d& b = box.box;
+    track.state = track.hypotheses->combined(options.motion);
+    track.around =
+        inFrameOf(stateAt(track.state, sighting.lag, options.motion).box(), sighting.around);
+    track.lastMatch = m.match;
+    track.groundZ = sighting.groundZ;
+    track.height = std::max(sighting.height, 0.95 * track.height + 0.05 * sighting.height);
+    track = withHit(std::move(track), sighting.time, options.lifecycle);
+    appendToPath(track, {sighting.time + sighting.lag,
+                         {b(0), b(1), b(2), b(3), b(4)},
+                         locatedFaces(m),
+                         sighting.around.centre()});
+    return track;
+}
+
+Track sightedByHits(Track track, const Sighting& sighting, VehicleKalmanFilter& filter,
+                    const TrackerOptions& options)
+{
+    const VehicleState then = foretoldAt(sighting.lag, track, options.motion);
+    const BoxMeasurement box = boxOfHits(sighting, then);
+    track = updatedBy(box, std::move(track), then, sighting.time - track.lastSeen, filter, options);
+    track = takenIn(std::move(track), sighting, box, options);
+    track.front = frontByWay(track);
     return track;
 }
 }  // namespace
@@ -209,7 +251,8 @@ Track startedTrack(std::uint64_t id, const Sighting& sighting, const StartSpeed&
     track.areParts = sighting.areParts;
     track.lastMatch = m.match;
     if (options.lifecycle.confirmHits <= 1) track.status = TrackStatus::Confirmed;
-    appendToPath(track, {sighting.time + sighting.lag, seen.box(), locatedFaces(m)});
+    appendToPath(track, {sighting.time + sighting.lag, seen.box(), locatedFaces(m),
+                         sighting.around.centre()});
     return track;
 }
 
@@ -222,29 +265,21 @@ Track sightedTrack(Track track, const Sighting& sighting, const Neighbourhood& a
     track.measurement = m;
     track.hits = m.hits;
     track.areParts = sighting.areParts;
+    track = withFacesChecked(std::move(track), sighting, options.motion);
+    if (track.isFaceless) return sightedByHits(std::move(track), sighting, filter, options);
     if (isLastGlimpse(track, sighting, options.association.surfaceSigma))
         return withHit(std::move(track), sighting.time, options.lifecycle);
     track =
         grownToAVehicle(std::move(track), m, std::max(track.height, sighting.height), visibility);
-    const VehicleState then =
-        stateAt(track.hypotheses->combined(options.motion), sighting.lag, options.motion);
+    const VehicleState then = foretoldAt(sighting.lag, track, options.motion);
     const BoxMeasurement box = boxOf(sighting, withUnlikelyTurn(m, then, sighting.around.centre()),
                                      track, then, visibility);
-    track =
-        updatedBy(box, std::move(track), m, then, sighting.time - track.lastSeen, filter, options);
+    track = openToGrowth(std::move(track), m, sighting.lag, options);
+    track = updatedBy(box, std::move(track), then, sighting.time - track.lastSeen, filter, options);
     track.told = track.told.with(m);
     track.highest = std::max(track.highest, std::min(track.height, sighting.height));
     track = withEndFollowed(std::move(track), m, visibility);
-    track.state = track.hypotheses->combined(options.motion);
-    track.around =
-        inFrameOf(stateAt(track.state, sighting.lag, options.motion).box(), sighting.around);
-    track.lastMatch = m.match;
-    track.groundZ = sighting.groundZ;
-    track.height = std::max(sighting.height, 0.95 * track.height + 0.05 * sighting.height);
-    track = withHit(std::move(track), sighting.time, options.lifecycle);
-    const Vector5d& b = box.box;
-    appendToPath(track,
-                 {sighting.time + sighting.lag, {b(0), b(1), b(2), b(3), b(4)}, locatedFaces(m)});
+    track = takenIn(std::move(track), sighting, box, options);
     return withCheckedHeading(std::move(track), sighting, around, options);
 }
 

@@ -148,7 +148,6 @@ private:
                isWhereItWas(track, frame, clusters);
     }
 
-    // From the predicted pose.
     Sighting measure(const Track& track, const SegmentedFrame& frame,
                      const std::vector<std::size_t>& clusters) const
     {
@@ -157,8 +156,11 @@ private:
         const HitsAtOneTime seen =
             hitsAtOneTime(frame, clusters, motion, options_.measurement.mergeCell);
         const OrientedBox start = stateAt(track.state, seen.lag, options_.motion).box();
-        return sightingOf(frame, clusters, seen, start, Eigen::Vector2d(start.length, start.width),
-                          typeFilters_.optionsFor(track), effortFor(track, discriminator_));
+        Sighting sighting =
+            sightingOf(frame, clusters, seen, start, Eigen::Vector2d(start.length, start.width),
+                       typeFilters_.optionsFor(track), effortFor(track, discriminator_));
+        if (track.isFaceless) sighting.around = rectangleAround(*seen.hits, start.heading);
+        return sighting;
     }
 
     // Where the platform's pose errs, tracks go with it, and are told where they were.
