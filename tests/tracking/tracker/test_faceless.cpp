@@ -129,6 +129,20 @@ TEST_F(Faceless, WhoTurnsOnTheSpotIsFollowed)
     EXPECT_NEAR(track_.state.mean(kSpeed), 1.5, 0.4);
 }
 
+TEST(BodyAround, IsNoThinnerThanABodyAndGrowsAwayFromTheSensor)
+{
+    const OrientedBox front{10.0, 0.0, 0.0, 0.1, 0.6};
+    const OrientedBox person = bodyAround(front, {0.0, 0.0});
+    EXPECT_DOUBLE_EQ(person.length, 0.5);
+    EXPECT_DOUBLE_EQ(person.width, 0.6);
+    EXPECT_DOUBLE_EQ(person.x, 10.2) << "the hits stay where they are";
+    EXPECT_DOUBLE_EQ(person.y, 0.0);
+    const OrientedBox behind = bodyAround({0.0, -10.0, 0.5 * kPi, 0.1, 0.6}, {0.0, 0.0});
+    EXPECT_NEAR(behind.y, -10.2, 1e-12);
+    const OrientedBox bicycle{10.0, 0.0, 0.0, 1.8, 0.6};
+    EXPECT_EQ(bodyAround(bicycle, {0.0, 0.0}).x, bicycle.x);
+}
+
 TEST(FacelessScene, RidersAndWalkersKeepTheirIdentityHeadingAndSpeed)
 {
     const std::string scene = R"(

@@ -125,6 +125,17 @@ Track withFacesChecked(Track track, const Sighting& sighting, const MotionOption
     return startedOn(*way, std::move(track), sighting, motion);
 }
 
+OrientedBox bodyAround(const OrientedBox& hits, const Eigen::Vector2d& sensor)
+{
+    constexpr double kThinnest = 0.5;  // m
+    const Eigen::Matrix2d axes = rotation(hits.heading);
+    const Eigen::Vector2d away = axes.transpose() * (hits.centre() - sensor).normalized();
+    const Eigen::Vector2d size(hits.length, hits.width);
+    const Eigen::Vector2d missing = (kThinnest - size.array()).max(0.0);
+    const Eigen::Vector2d centre = hits.centre() + axes * (0.5 * missing.cwiseProduct(away));
+    return {centre.x(), centre.y(), hits.heading, size.x() + missing.x(), size.y() + missing.y()};
+}
+
 BoxMeasurement boxOfHits(const Sighting& sighting, const VehicleState& foretold)
 {
     constexpr double kHeadingSigma = 1.0;  // rad: not told

@@ -15,7 +15,11 @@ namespace vdamf
 /// turns out to be a vehicle, or larger.
 Track withFacesChecked(Track track, const Sighting& sighting, const MotionOptions& motion);
 
-/// Of such a track: the rectangle of its hits, which tells no heading but has the one foretold.
+/// A rectangle of hits as large as a body is at the least: what is missing is out of view, away
+/// from the sensor.
+OrientedBox bodyAround(const OrientedBox& hits, const Eigen::Vector2d& sensor);
+
+/// Of such a track: the rectangle around it, which tells no heading but has the one foretold.
 BoxMeasurement boxOfHits(const Sighting& sighting, const VehicleState& foretold);
 
 /// Its front as the way tells it that its path ends with.

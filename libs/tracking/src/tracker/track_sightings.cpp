@@ -217,9 +217,13 @@ Track takenIn(Track track, const Sighting& sighting, const BoxMeasurement& box,
 Track sightedByHits(Track track, const Sighting& sighting, VehicleKalmanFilter& filter,
                     const TrackerOptions& options)
 {
+    // The same side of it is seen for long.
+    constexpr double kLastingMiddle = 0.1;  // m
     const VehicleState then = foretoldAt(sighting.lag, track, options.motion);
     const BoxMeasurement box = boxOfHits(sighting, then);
     track = updatedBy(box, std::move(track), then, sighting.time - track.lastSeen, filter, options);
+    track.errors.lasting.topLeftCorner<2, 2>().diagonal().array() +=
+        kLastingMiddle * kLastingMiddle;
     track = takenIn(std::move(track), sighting, box, options);
     track.front = frontByWay(track);
     return track;

@@ -11,10 +11,10 @@
 #include "tracker/discriminate.h"
 #include "tracker/duplicates.h"
 #include "tracker/existence.h"
+#include "tracker/expected_sighting.h"
 #include "tracker/glance.h"
 #include "tracker/neighbourhood.h"
 #include "tracker/new_sightings.h"
-#include "tracker/one_time.h"
 #include "tracker/predicted_targets.h"
 #include "tracker/segmentation.h"
 #include "tracker/shared_cut.h"
@@ -135,7 +135,10 @@ private:
                          {
                              const std::vector<std::size_t>& clusters = assignment[j];
                              if (!clusters.empty() && !isGlanceEnough(tracks_[j], frame, clusters))
-                                 sightings[j] = measure(tracks_[j], frame, clusters);
+                                 sightings[j] = expectedSighting(
+                                     tracks_[j], frame, clusters,
+                                     typeFilters_.optionsFor(tracks_[j]),
+                                     effortFor(tracks_[j], discriminator_), options_.motion);
                          });
         return sightings;
     }
@@ -146,21 +149,6 @@ private:
     {
         return isPassedOver(track, discriminator_) && !options_.discriminator.keepFeatures &&
                isWhereItWas(track, frame, clusters);
-    }
-
-    Sighting measure(const Track& track, const SegmentedFrame& frame,
-                     const std::vector<std::size_t>& clusters) const
-    {
-        TargetMotion motion = motionOf(track.state);
-        motion.changes = track.hypotheses->drivingProbability.front();
-        const HitsAtOneTime seen =
-            hitsAtOneTime(frame, clusters, motion, options_.measurement.mergeCell);
-        const OrientedBox start = stateAt(track.state, seen.lag, options_.motion).box();
-        Sighting sighting =
-            sightingOf(frame, clusters, seen, start, Eigen::Vector2d(start.length, start.width),
-                       typeFilters_.optionsFor(track), effortFor(track, discriminator_));
-        if (track.isFaceless) sighting.around = rectangleAround(*seen.hits, start.heading);
-        return sighting;
     }
 
     // Where the platform's pose errs, tracks go with it, and are told where they were.
