@@ -123,5 +123,46 @@ y_m = 3.2
     }
 }
 
+// Its side is 1.3 m from the sensor of a small robot: most of it lies within what a large platform
+// could be.
+TEST(VehiclesBeside, ACarThatPassesARobotAtArmsLength)
+{
+    const std::string scene = R"(
+[scenario]
+duration_s = 9
+
+[sensor]
+model = VLP-16
+x_m = 0.2
+z_m = 1.0
+
+[platform]
+speed_mps = 1.2
+
+[object car]
+class = car
+x_m = 20
+y_m = 2.2
+heading_deg = 180
+speed_mps = 3
+)";
+    for (const int seed : {1, 2})
+    {
+        const auto tracked = trackedObjects(scenarioOf(scene, seed));
+        std::set<std::uint64_t> ids;
+        for (const Seen& seen : tracked.at("car"))
+        {
+            if (seen.time < 1.0) continue;
+            SCOPED_TRACE("seed " + std::to_string(seed) + ", " + std::to_string(seen.time) + " s");
+            ASSERT_FALSE(seen.tracks.empty());
+            const TrackReport& track = seen.tracks.front();
+            ids.insert(track.id);
+            EXPECT_NEAR(track.speed, 3.0, 0.6);
+            EXPECT_LT(std::abs(wrapAngle(track.box.heading - kPi)), 0.1);
+        }
+        EXPECT_EQ(ids.size(), 1U) << "seed " << seed;
+    }
+}
+
 }  // namespace
 }  // namespace vdamf

@@ -11,7 +11,7 @@ namespace vdamf
 {
 struct GroundOptions
 {
-    double minRange = 2.0;         ///< horizontal, from the sensor; nearer hits: the platform, m
+    double minRange = 1.0;         ///< horizontal, from the sensor; nearer hits: the platform, m
     double maxRange = 80.0;        ///< horizontal, from the sensor, m
     double minHeight = 0.22;       ///< over the local ground; lower hits are ground, m
     double maxHeight = 3.0;        ///< over the local ground; higher hits are overhead, m
