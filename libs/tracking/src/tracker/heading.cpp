@@ -79,8 +79,8 @@ std::optional<Course> steadyCourse(const Track& track)
     {
         const PathPoint& from = track.path[--first];
         // No course is longer than the way between the centres.
-        const bool mayTell = (last.box.centre() - from.box.centre()).squaredNorm() >
-                             kCourseDistance * kCourseDistance;
+        const double far = last.time - from.time < kLeastTime && first > 0 ? kFar : kCourseDistance;
+        const bool mayTell = (last.box.centre() - from.box.centre()).squaredNorm() >= far * far;
         all = mayTell ? courseBetween(from, last) : Course();
     }
     if (all.distance < kCourseDistance || all.distance < kCourseSpeed * all.duration)
@@ -248,10 +248,16 @@ HeadingCues sizeCues(const Sighting& sighting, double height)
 Track withCheckedHeading(Track track, const Sighting& sighting, const Neighbourhood& around,
                          const TrackerOptions& options)
 {
+    constexpr double kSurely = 0.999;  // probability
     HeadingCues cues = cuesOf(track, sighting);
-    cues.neighbours = around.axesEvidence(track.measurement->box, track.id) +
-                      placeTaken(quarterTurned(track, 1, sighting.sensor, options.visibility),
-                                 track.height, sighting.sensor, around, track.id, options);
+    // Of what is sure of its axes whatever they say, the vehicles around are not asked.
+    cues.neighbours = -Neighbourhood::kMostEvidence;
+    const bool isSure = track.front.after(cues).axesProbability() > kSurely;
+    cues.neighbours =
+        isSure ? 0.0
+               : around.axesEvidence(track.measurement->box, track.id) +
+                     placeTaken(quarterTurned(track, 1, sighting.sensor, options.visibility),
+                                track.height, sighting.sensor, around, track.id, options);
     track.front = track.front.after(cues);
     int quarters = dueTurn(track.front, track.sightings < kYoung);
     if (quarters == 0) return track;

@@ -15,10 +15,9 @@ namespace
 constexpr double kReach = 8.0;  // m between centres
 // Farther apart only those that stand in line or side by side count: of labelled ones 59 pairs in
 // 61 are alike, of the rest, around corners, 21 in 27.
-constexpr double kReachInRow = 12.0;   // m
-constexpr double kRowHalfWidth = 2.5;  // m
-constexpr double kAlike = 0.97;        // of the labelled vehicles with another one in reach
-constexpr double kMostLogOdds = 3.0;   // log odds: what makes them stand otherwise holds for all
+constexpr double kReachInRow = 12.0;          // m
+constexpr double kRowHalfWidth = 2.5;         // m
+constexpr double kAlike = 0.97;               // of the labelled vehicles with another one in reach
 constexpr double kSame = 20.0 * kPi / 180.0;  // rad
 
 // Of headings of labelled vehicles that stand within reach of each other, two in three differ by
@@ -91,7 +90,7 @@ double Neighbourhood::axesEvidence(const OrientedBox& box, std::uint64_t self) c
                       else if (turn > 0.5 * kPi - kSame)
                           sum -= other.logOdds;
                   });
-    return std::clamp(sum, -kMostLogOdds, kMostLogOdds);
+    return std::clamp(sum, -kMostEvidence, kMostEvidence);
 }
 
 bool Neighbourhood::isTaken(const OrientedBox& place, std::uint64_t self) const

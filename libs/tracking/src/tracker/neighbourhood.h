@@ -29,6 +29,10 @@ public:
     Neighbourhood() : index_({}) {}
     Neighbourhood(const std::vector<Track>& tracks, const Discriminator& discriminator);
 
+    /// Log odds that all neighbours together tell at most: what makes them stand otherwise holds
+    /// for all.
+    static constexpr double kMostEvidence = 3.0;
+
     /// Log odds that length and width of a box are as they are held rather than exchanged, by the
     /// vehicles around it but for the track `self`. Neighbours count by what they themselves showed
     /// of their axes, never by what their own neighbours tell.
