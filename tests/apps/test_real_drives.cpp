@@ -152,6 +152,16 @@ protected:
     }
 
     std::string data_;
+    // One identity, the way and the speed of the label.
+    void expectRiderTracked(const std::string& name) const
+    {
+        SCOPED_TRACE(name);
+        const ObjectScore& rider = objects_.at(name);
+        EXPECT_EQ(rider.seenFromTo.size(), 1U);
+        EXPECT_GT(rider.overlapping, 0.75 * rider.boxes);
+        EXPECT_NEAR(rider.speed / rider.boxes, rider.truthSpeed / rider.boxes, 0.5);
+    }
+
     std::map<std::string, ObjectScore> objects_;
     double firstTime_ = 0.0;
 };
@@ -168,6 +178,7 @@ TEST_F(RealDrive, FollowsTheVanOfDrive0005)
     EXPECT_GT(van.iou / van.boxes, 0.8);
     EXPECT_NEAR(van.speed / van.boxes, van.truthSpeed / van.boxes, 0.4);
     EXPECT_GT(parkedShare(), 0.8);
+    expectRiderTracked("Cyclist 1");
 }
 
 TEST_F(RealDrive, BoxesTheParkedCarsOfDrive0001)
@@ -181,6 +192,7 @@ TEST_F(RealDrive, BoxesTheParkedCarsOfDrive0001)
     EXPECT_GT(tram.boxes, 50);
     EXPECT_EQ(tram.seenFromTo.size(), 1U) << "identities of the tram";
     EXPECT_NEAR(tram.speed / tram.boxes, tram.truthSpeed / tram.boxes, 0.5);
+    expectRiderTracked("Cyclist 10");
 }
 
 }  // namespace
