@@ -63,6 +63,23 @@ TEST(HeadingBelief, NeighboursTellTheAxesWhileTheyAreThereAndSizesOutweighThem)
     EXPECT_EQ(afterFrames({}, both, 10).turnDue(0.0), 0);
 }
 
+TEST(HeadingBelief, VehiclesInLineTellTheFrontUntilItDrives)
+{
+    HeadingCues behind;
+    behind.inLine = -4.0;
+    const HeadingBelief reversed = HeadingBelief().after(behind);
+    EXPECT_LT(reversed.forwardProbability(), 0.05);
+    EXPECT_DOUBLE_EQ(reversed.ownForwardProbability(), 0.5);
+    EXPECT_NEAR(reversed.axesProbability(), 0.5, 1e-12) << "of the axes they tell nothing";
+    EXPECT_EQ(reversed.turnDue(2.5), 2);
+    EXPECT_GT(reversed.turned(2).forwardProbability(), 0.95);
+    EXPECT_DOUBLE_EQ(reversed.turned(1).forwardProbability(), 0.5);
+    EXPECT_DOUBLE_EQ(reversed.after({}).forwardProbability(), 0.5) << "while they are there";
+    HeadingCues drives = driving(0.0, 6.0);
+    drives.inLine = -4.0;
+    EXPECT_EQ(afterFrames({}, drives, 10).turnDue(2.5), 0);
+}
+
 TEST(HeadingBelief, WhichWayItMovesAlongAnAxisTellsNothingOfTheAxes)
 {
     HeadingCues backwards;

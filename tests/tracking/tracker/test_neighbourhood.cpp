@@ -52,6 +52,27 @@ TEST(Neighbourhood, InLineAndSideBySideItReachesFarther)
     EXPECT_EQ(evidence(one, {13.0, 0.0, 0.0, 4.3, 1.8}), 0.0) << "far away";
 }
 
+TEST(Neighbourhood, WhoDroveTellsTheFrontOfWhatIsInLine)
+{
+    Track drove = parkedAt(1, 7.0, 0.0, 0.0);
+    HeadingCues forth;
+    forth.forth = 0.999;
+    for (int k = 0; k < 5; ++k) drove.front = drove.front.after(forth);
+    DiscriminatorOptions always;
+    always.model = "none";
+    drove.judgement.probability = 1.0;
+    const auto front = [&](const Track& track, const OrientedBox& box)
+    { return Neighbourhood({track}, Discriminator(always)).frontEvidence(box, kSelf); };
+    EXPECT_GT(front(drove, {0, 0.5, 0.1, 4.3, 1.8}), 3.0);
+    EXPECT_LE(front(drove, {0, 0.5, 0.1, 4.3, 1.8}), Neighbourhood::kMostOfFront);
+    EXPECT_LT(front(drove, {0, 0.5, 0.1 - kPi, 4.3, 1.8}), -3.0);
+    EXPECT_EQ(front(drove, {0, 3.0, 0.0, 4.3, 1.8}), 0.0) << "in the next lane";
+    EXPECT_EQ(front(drove, {0, 0.0, 0.5 * kPi, 4.3, 1.8}), 0.0) << "across";
+    EXPECT_EQ(front(drove, {-6, 0.0, 0.0, 4.3, 1.8}), 0.0) << "far away";
+    EXPECT_NEAR(front(parkedAt(1, 7.0, 0.0, 0.0), {0, 0.0, 0.0, 4.3, 1.8}), 0.0, 1e-12)
+        << "knows its own no better";
+}
+
 TEST(Neighbourhood, ManySayMoreThanOneWithinBounds)
 {
     std::vector<Track> row;

@@ -113,6 +113,7 @@ HeadingBelief HeadingBelief::after(const HeadingCues& cues) const
     const double before = isNew && axes_ * evidence < 0.0 ? 0.0 : axes_;
     next.axes_ = withEvidence(before, evidence, frames, repeatsOf(sizes), kMostBySizes);
     next.neighbours_ = cues.neighbours;
+    next.inLine_ = cues.inLine;
     const double forth = course_[0] - course_[2];
     if (std::abs(forth) < kKnown)
     {
@@ -140,6 +141,12 @@ std::array<double, 4> HeadingBelief::logs() const
 {
     std::array<double, 4> all = course_;
     for (std::size_t k = 1; k < 4; k += 2) all[k] -= axes_ + neighbours_;
+    if (inLine_ == 0.0) return all;
+    // Whichever way it lies along its axis, both ways together are as likely as before.
+    const double either = logOfSum(all[0], all[2]);
+    const double forth = all[0] - all[2] + inLine_;
+    all[0] = either - logOfSum(0.0, -forth);
+    all[2] = either - logOfSum(0.0, forth);
     return all;
 }
 
@@ -162,10 +169,17 @@ HeadingBelief HeadingBelief::turned(int quarters) const
     next.ends_ = quarters % 2 == 0 ? ends_ : sides_;
     next.sides_ = quarters % 2 == 0 ? sides_ : ends_;
     next.neighbours_ = sign * neighbours_;
+    if (quarters % 4 == 2) next.inLine_ = -inLine_;
+    if (quarters % 4 == 0) next.inLine_ = inLine_;
     return next;
 }
 
 double HeadingBelief::forwardProbability() const
+{
+    return 1.0 / (1.0 + std::exp(course_[2] - course_[0] - inLine_));
+}
+
+double HeadingBelief::ownForwardProbability() const
 {
     return 1.0 / (1.0 + std::exp(course_[2] - course_[0]));
 }
@@ -180,7 +194,7 @@ double HeadingBelief::axesProbability() const
 double HeadingBelief::ownAxesProbability() const
 {
     HeadingBelief alone = *this;
-    alone.neighbours_ = 0.0;
+    alone.neighbours_ = alone.inLine_ = 0.0;
     return alone.axesProbability();
 }
 

@@ -109,6 +109,17 @@ HeadingCues cuesOf(const Track& track, const Sighting& sighting)
     return cues;
 }
 
+// Whether the vehicles around may change what is held of the front: not where it is sure whatever
+// they tell.
+bool mayLearnFromOthers(const HeadingBelief& front, HeadingCues cues)
+{
+    constexpr double kSurely = 0.99;  // probability
+    cues.neighbours = -Neighbourhood::kMostEvidence;
+    cues.inLine = -Neighbourhood::kMostOfFront;
+    const HeadingBelief after = front.after(cues);
+    return after.axesProbability() < kSurely || after.forwardProbability() < kSurely;
+}
+
 // What was held for the length of a box across is no width: the far side is where a car has it.
 Measurement narrowed(const Measurement& measurement, const Eigen::Vector2d& sensor,
                      double widestEnd, const VisibilityOptions& options)
@@ -248,16 +259,15 @@ HeadingCues sizeCues(const Sighting& sighting, double height)
 Track withCheckedHeading(Track track, const Sighting& sighting, const Neighbourhood& around,
                          const TrackerOptions& options)
 {
-    constexpr double kSurely = 0.999;  // probability
     HeadingCues cues = cuesOf(track, sighting);
-    // Of what is sure of its axes whatever they say, the vehicles around are not asked.
-    cues.neighbours = -Neighbourhood::kMostEvidence;
-    const bool isSure = track.front.after(cues).axesProbability() > kSurely;
-    cues.neighbours =
-        isSure ? 0.0
-               : around.axesEvidence(track.measurement->box, track.id) +
-                     placeTaken(quarterTurned(track, 1, sighting.sensor, options.visibility),
-                                track.height, sighting.sensor, around, track.id, options);
+    if (mayLearnFromOthers(track.front, cues))
+    {
+        const OrientedBox& box = track.measurement->box;
+        cues.neighbours = around.axesEvidence(box, track.id) +
+                          placeTaken(quarterTurned(track, 1, sighting.sensor, options.visibility),
+                                     track.height, sighting.sensor, around, track.id, options);
+        cues.inLine = around.frontEvidence(box, track.id);
+    }
     track.front = track.front.after(cues);
     int quarters = dueTurn(track.front, track.sightings < kYoung);
     if (quarters == 0) return track;

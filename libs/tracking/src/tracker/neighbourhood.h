@@ -38,6 +38,11 @@ public:
     /// of their axes, never by what their own neighbours tell.
     double axesEvidence(const OrientedBox& box, std::uint64_t self) const;
 
+    /// Log odds that the front of a box lies ahead rather than behind, by the vehicles in line with
+    /// it but for `self`, as each of them drove itself.
+    static constexpr double kMostOfFront = 4.0;
+    double frontEvidence(const OrientedBox& box, std::uint64_t self) const;
+
     /// Whether a vehicle that is in sight, known to be one and how it lies, but for `self`, fills a
     /// part of that place.
     bool isTaken(const OrientedBox& place, std::uint64_t self) const;
@@ -54,6 +59,7 @@ private:
         bool isInSight = false;        // it was, in the last frame
         double headingVariance = 0.0;  // rad^2
         double logOdds = 0.0;          // that another's length lies along its heading
+        double front = 0.0;            // log odds that another's front in line lies as its own
     };
 
     template <class Use>

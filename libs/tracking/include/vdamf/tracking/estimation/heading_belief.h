@@ -31,6 +31,7 @@ struct HeadingCues
     std::optional<FaceExtent> end;   ///< seen, of the box as it is held
     double height = 1.5;             ///< of the vehicle, m
     double neighbours = 0.0;         ///< log odds for the axes held, by the vehicles around it
+    double inLine = 0.0;  ///< log odds for the front held, by the vehicles before and behind it
 };
 
 /// Log odds that length and width are as they are held rather than exchanged, by the faces that one
@@ -60,6 +61,7 @@ public:
     double axesProbability() const;
     /// The same by what the vehicle itself showed, without its neighbours.
     double ownAxesProbability() const;
+    double ownForwardProbability() const;
 
 private:
     std::array<double, 4> logs() const;
@@ -82,6 +84,8 @@ private:
     Rows ends_, sides_;
     /// The same by the vehicles around it in the last frame.
     double neighbours_ = 0.0;
+    /// Log odds of the front held, by the vehicles in line with it in the last frame.
+    double inLine_ = 0.0;
 };
 
 }  // namespace vdamf
