@@ -55,9 +55,9 @@ TEST(Neighbourhood, InLineAndSideBySideItReachesFarther)
 TEST(Neighbourhood, WhoDroveTellsTheFrontOfWhatIsInLine)
 {
     Track drove = parkedAt(1, 7.0, 0.0, 0.0);
-    HeadingCues forth;
-    forth.forth = 0.999;
-    for (int k = 0; k < 5; ++k) drove.front = drove.front.after(forth);
+    HeadingCues course;
+    course.course = {0.0, 6.0};
+    for (int k = 0; k < 6; ++k) drove.front = drove.front.after(course);
     DiscriminatorOptions always;
     always.model = "none";
     drove.judgement.probability = 1.0;
@@ -71,6 +71,12 @@ TEST(Neighbourhood, WhoDroveTellsTheFrontOfWhatIsInLine)
     EXPECT_EQ(front(drove, {-6, 0.0, 0.0, 4.3, 1.8}), 0.0) << "far away";
     EXPECT_NEAR(front(parkedAt(1, 7.0, 0.0, 0.0), {0, 0.0, 0.0, 4.3, 1.8}), 0.0, 1e-12)
         << "knows its own no better";
+    Track seemed = parkedAt(1, 7.0, 0.0, 0.0);
+    HeadingCues forth;
+    forth.forth = 0.99;
+    seemed.front = seemed.front.after(forth);
+    EXPECT_GT(seemed.front.ownForwardProbability(), 0.9);
+    EXPECT_NEAR(front(seemed, {0, 0.0, 0.0, 4.3, 1.8}), 0.0, 1e-12) << "it may have seemed so";
 }
 
 TEST(Neighbourhood, ManySayMoreThanOneWithinBounds)

@@ -44,6 +44,14 @@ double oddsOf(double vehicle, double alike)
     return std::log(p / (1.0 - p));
 }
 
+// Of a front, as likely as not where it was not seen to drive for long: what stands may seem to
+// move for some frames.
+double sureOf(double forward)
+{
+    constexpr double kSure = 1e-3;
+    return std::min(forward, 1.0 - forward) < kSure ? forward : 0.5;
+}
+
 // Whether two boxes stand in one lane: parallel, and each before or behind the other.
 bool areInLine(const OrientedBox& a, const OrientedBox& b)
 {
@@ -75,7 +83,7 @@ Neighbourhood::Neighbourhood(const std::vector<Track>& tracks, const Discriminat
         const double right = track.front.ownAxesProbability();
         const double alike = right * kAlike + (1.0 - right) * (1.0 - kAlike);
         const double vehicle = discriminator.vehicleProbability(track);
-        const double ahead = track.front.ownForwardProbability();
+        const double ahead = sureOf(track.front.ownForwardProbability());
         const double alikeAhead = ahead * kAlikeInLine + (1.0 - ahead) * (1.0 - kAlikeInLine);
         neighbours_.push_back({track.id, track.box(), track.misses == 0,
                                track.state.covariance(kHeading, kHeading), oddsOf(vehicle, alike),
