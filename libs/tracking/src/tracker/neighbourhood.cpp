@@ -37,9 +37,11 @@ bool isInRow(const Eigen::Vector2d& off, double heading)
     return (rotation(-heading) * off).cwiseAbs().minCoeff() < kRowHalfWidth;
 }
 
-// Log odds of what holds so likely beside a vehicle, and beside anything else as likely as not.
-double oddsOf(double vehicle, double alike)
+// Log odds of something that a share of vehicles have in common, by a neighbour: how likely it is a
+// vehicle, and has that itself. Beside anything else it is as likely as not.
+double oddsByNeighbour(double vehicle, double own, double share)
 {
+    const double alike = own * share + (1.0 - own) * (1.0 - share);
     const double p = vehicle * alike + (1.0 - vehicle) * 0.5;
     return std::log(p / (1.0 - p));
 }
@@ -80,14 +82,12 @@ Neighbourhood::Neighbourhood(const std::vector<Track>& tracks, const Discriminat
     for (const Track& track : tracks)
     {
         if (!isPublished(track)) continue;
-        const double right = track.front.ownAxesProbability();
-        const double alike = right * kAlike + (1.0 - right) * (1.0 - kAlike);
         const double vehicle = discriminator.vehicleProbability(track);
         const double ahead = sureOf(track.front.ownForwardProbability());
-        const double alikeAhead = ahead * kAlikeInLine + (1.0 - ahead) * (1.0 - kAlikeInLine);
         neighbours_.push_back({track.id, track.box(), track.misses == 0,
-                               track.state.covariance(kHeading, kHeading), oddsOf(vehicle, alike),
-                               oddsOf(vehicle, alikeAhead)});
+                               track.state.covariance(kHeading, kHeading),
+                               oddsByNeighbour(vehicle, track.front.ownAxesProbability(), kAlike),
+                               oddsByNeighbour(vehicle, ahead, kAlikeInLine)});
     }
 }
 

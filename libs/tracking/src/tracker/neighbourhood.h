@@ -29,9 +29,10 @@ public:
     Neighbourhood() : index_({}) {}
     Neighbourhood(const std::vector<Track>& tracks, const Discriminator& discriminator);
 
-    /// Log odds that all neighbours together tell at most: what makes them stand otherwise holds
-    /// for all.
+    /// Log odds of the axes and of the front that all neighbours together tell at most: what makes
+    /// them stand otherwise holds for all.
     static constexpr double kMostEvidence = 3.0;
+    static constexpr double kMostOfFront = 4.0;
 
     /// Log odds that length and width of a box are as they are held rather than exchanged, by the
     /// vehicles around it but for the track `self`. Neighbours count by what they themselves showed
@@ -40,7 +41,6 @@ public:
 
     /// Log odds that the front of a box lies ahead rather than behind, by the vehicles in line with
     /// it but for `self`, as each of them drove itself.
-    static constexpr double kMostOfFront = 4.0;
     double frontEvidence(const OrientedBox& box, std::uint64_t self) const;
 
     /// Whether a vehicle that is in sight, known to be one and how it lies, but for `self`, fills a
