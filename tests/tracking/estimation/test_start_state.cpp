@@ -122,6 +122,27 @@ TEST(GrownAsJudged, WhatIsKnownToBeAVehicleIsNoSmallerThanACar)
     EXPECT_EQ(grownAsJudged(small, bit, 1.5, SizesTold(), o).mean, small.mean);
 }
 
+// Of a car between two others the first metres of its side show, and seem to be all of it.
+TEST(GrownAsJudged, WhatIsAsWideAsACarIsNotShorterThanAny)
+{
+    const VisibilityOptions o;
+    VehicleState piece;
+    piece.mean << 20.0, 0.0, 0.0, 0.0, 0.0, 0.4, 1.8;
+    piece.width = 1.7;
+    const VehicleState grown = grownAsJudged(piece, rearOf(1.7), 1.5, {true, true}, o);
+    EXPECT_NEAR(grown.mean(kLength), o.carLength, 0.1);
+    EXPECT_GT(std::sqrt(grown.covariance(kLength, kLength)), 0.9 * o.carLengthSigma);
+    EXPECT_NEAR(grown.mean(kX) - 0.5 * grown.mean(kLength), 20.0 - 0.9, 1e-9) << "the rear stays";
+
+    piece.mean(kLength) = 2.6;
+    EXPECT_EQ(grownAsJudged(piece, rearOf(1.7), 1.5, {true, true}, o).mean, piece.mean)
+        << "of a city car";
+    piece.mean(kLength) = 2.0;
+    piece.width = 0.8;
+    EXPECT_EQ(grownAsJudged(piece, rearOf(0.8), 1.5, {true, true}, o).mean, piece.mean)
+        << "of a motorcycle";
+}
+
 // A slice of something between two others: it may go on behind them.
 TEST(StartState, OfASliceTheLengthIsAsOpenAsAVehicles)
 {

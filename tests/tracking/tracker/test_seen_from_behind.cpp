@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 
 #include "tracking/tracker/example_frames.h"
+#include "tracking/tracker/simulated_frames.h"
 #include "vdamf/tracking/tracker/tracker.h"
 
 namespace vdamf
@@ -64,6 +66,43 @@ TEST_P(SeenFromBehind, ThenOvertaken)
     EXPECT_LT(std::sqrt(squares / frames), 0.3);
     EXPECT_LT(fastest, 0.5);
     EXPECT_LT(std::abs(last), 0.2);
+}
+
+// Rays that run along a side pass its corner where the body is widest, however round it is.
+TEST(SeenFromAnEnd, TheWidthIsThatOfTheRoundBody)
+{
+    const std::string scene = R"(
+[scenario]
+duration_s = 2
+
+[sensor]
+x_m = 0.8
+z_m = 1.9
+
+[platform]
+speed_mps = 0
+
+[object ahead]
+class = suv
+x_m = 9
+y_m = 0
+
+[object behind]
+class = hatchback
+x_m = -7
+y_m = 0
+)";
+    for (int seed = 1; seed <= 3; ++seed)
+    {
+        const auto tracked = trackedObjects(scenarioOf(scene, seed));
+        for (const std::string name : {"ahead", "behind"})
+        {
+            const Seen& last = tracked.at(name).back();
+            ASSERT_FALSE(last.tracks.empty()) << name << ", seed " << seed;
+            EXPECT_NEAR(last.tracks.front().box.width, last.truth.box.width, 0.06)
+                << name << ", seed " << seed;
+        }
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Lengths, SeenFromBehind, testing::Values(3.7, 4.4, 5.2));

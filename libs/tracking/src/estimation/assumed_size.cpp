@@ -30,8 +30,7 @@ constexpr double kHighCar = 1.7;  // m
 constexpr double kLowVan = 2.0;   // m
 constexpr AssumedSize kLonger{0.55, 0.4};
 constexpr double kLongerByWidth = 0.9;
-constexpr double kSeemsWider = 0.08;  // m, as hits show it, by mirrors and round corners
-constexpr double kOddWidth = 0.35;    // m, over or under a car's: mirrors, or not all of an end
+constexpr double kOddWidth = 0.35;  // m, over or under a car's: mirrors, or not all of an end
 
 bool couldBeACar(const Measurement& m, double height)
 {
@@ -52,7 +51,7 @@ double widestCar(double height)
 AssumedSize carLength(double height, const std::optional<double>& width, const VisibilityOptions& o)
 {
     const double van = std::clamp((height - kHighCar) / (kLowVan - kHighCar), 0.0, 1.0);
-    const double told = width ? *width - kSeemsWider : carWidth(height, o).metres;
+    const double told = width ? *width : carWidth(height, o).metres;
     const double wider = std::clamp(told - o.carWidth, -kOddWidth, kOddWidth);
     return {o.carLength + van * kLonger.metres + kLongerByWidth * wider,
             std::hypot(o.carLengthSigma, van * kLonger.sigma)};

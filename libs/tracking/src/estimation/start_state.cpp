@@ -17,6 +17,8 @@ namespace
 constexpr double kCurvatureSigma = 0.05;
 constexpr double kAcrossSigma = 2.0;
 
+constexpr double kShortestSide = 2.4;  // m, of any car
+
 // Which side of an end nothing hides: 1 the left one, -1 the right one, 0 both or none.
 double notHidden(const Measurement& m)
 {
@@ -113,7 +115,10 @@ VehicleState grownAsJudged(const VehicleState& predicted, const Measurement& m, 
     if (!told.width && predicted.width < kNarrowestCar)
         next = grownTo(next, 1, staying(m, 1), carWidth(height, o));
     const double width = std::clamp(next.width, kNarrowestCar, kWidestTruck);
-    if (!told.length && predicted.mean(kLength) < kShortestCar)
+    // No vehicle is as wide and short: of its side a part is seen.
+    const bool isShort = m.facesSeen.seesEnd() && predicted.width >= kNarrowestCar &&
+                         predicted.mean(kLength) < kShortestSide;
+    if ((!told.length || isShort) && predicted.mean(kLength) < kShortestCar)
         next = grownTo(next, 0, staying(m, 0), lengthBehind(width, height, o));
     return next;
 }

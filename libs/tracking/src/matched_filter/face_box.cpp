@@ -153,7 +153,8 @@ private:
         }
         else if (seen_[1 - axis])
         {
-            const double shape = std::max(line(0).shape, line(1).shape);
+            const double turns = axis == 1 ? outOfView(axis, sign) : 1.0;
+            const double shape = turns * std::max(line(0).shape, line(1).shape);
             RowOnFace row = rowAlong(axis, sign);
             const double reach = sign == nearSign_[axis] ? 0.0 : farReach(axis, row.hits);
             if (const auto end =
@@ -166,6 +167,17 @@ private:
             }
         }
         return place;
+    }
+
+    // How much of a round corner turns out of view at an end of the fitted box, over what does
+    // at 45 degrees: none where the ray that meets it runs along the face behind it.
+    double outOfView(std::size_t axis, double sign) const
+    {
+        constexpr double kAtFortyFive = 0.29289321881345;
+        const double ahead = std::max(0.0, half_[axis] - sign * view_[axis]);
+        const double before = std::max(0.0, std::abs(view_[1 - axis] - nearAt(1 - axis)));
+        const double cosine = before / std::max(1e-6, std::hypot(ahead, before));
+        return std::min(1.0, (1.0 - cosine) / kAtFortyFive);
     }
 
     // Front and rear of a car lie beyond the end of a row of hits on its side, where the corner
