@@ -105,6 +105,35 @@ y_m = 0
     }
 }
 
+// Rows of hits lie 0.43 m apart there: one meets it at 1.7 m, the next one passes over its roof.
+TEST(SeenFromAnEnd, AVanIsLongThoughNoRowOfHitsShowsItsRoof)
+{
+    const std::string scene = R"(
+[scenario]
+duration_s = 2
+
+[sensor]
+x_m = 0.8
+z_m = 1.7
+
+[platform]
+speed_mps = 0
+
+[object van]
+class = van
+x_m = 22
+y_m = 0
+)";
+    const auto tracked = trackedObjects(scenarioOf(scene));
+    const Seen& last = tracked.at("van").back();
+    ASSERT_FALSE(last.tracks.empty());
+    const TrackReport& track = last.tracks.front();
+    EXPECT_LT(track.height, 1.8);
+    EXPECT_GT(track.box.length, 4.7);
+    EXPECT_LT(std::abs(track.box.length - last.truth.box.length),
+              2.0 * std::sqrt(track.lengthVariance));
+}
+
 INSTANTIATE_TEST_SUITE_P(Lengths, SeenFromBehind, testing::Values(3.7, 4.4, 5.2));
 
 }  // namespace

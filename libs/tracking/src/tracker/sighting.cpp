@@ -47,6 +47,21 @@ double groundSum(const Cluster& cluster)
     return over + static_cast<double>(base) * static_cast<double>(cluster.size() - rest);
 }
 
+// Half of what lies between the two highest rows of hits (as in Hits::heights), m: the next one
+// above them passed over it. Cars far away have few rows, and are not as high as the next one.
+double likelyOver(std::uint64_t heights)
+{
+    constexpr double kMost = 0.2;
+    constexpr double kHalf = 0.05;  // of what a bit stands for
+    int gap = 0;
+    for (; heights > 1; heights >>= 1U)
+    {
+        const bool isHit = (heights & 1U) != 0;
+        gap = isHit ? 1 : gap + 1;
+    }
+    return std::min(kMost, kHalf * gap);
+}
+
 using RowHit = std::pair<double, double>;  // along, weight
 
 constexpr double kWideGap = 1.0;  // m: what goes on behind it is something else
@@ -208,6 +223,7 @@ Sighting sightingOf(const SegmentedFrame& frame, const std::vector<std::size_t>&
         count += static_cast<double>(cluster.size());
         s.height = std::max(s.height, heightOf(cluster));
     }
+    s.overHits = likelyOver(seen.hits->heights);
     s.groundZ = count > 0.0 ? ground / count : 0.0;
     m = withoutEndsBelowView(s, frame);
     m = withoutEndOfShortSide(s);

@@ -66,6 +66,7 @@ struct Sighting
     FaceRow side, end;      ///< of the faces towards the sensor
     double groundZ = 0.0;   ///< local ground, m
     double height = 0.0;    ///< of the highest hit above it, m
+    double overHits = 0.0;  ///< what is likely to be above that, between two rows of hits, m
     bool areParts = false;  ///< hit at both ends of a revolution
 };
 

@@ -57,7 +57,7 @@ struct Track
     Eigen::Vector2d seenFrom = Eigen::Vector2d::Zero();  ///< sensor of the last frame, m
     double groundZ = 0.0;
     double height = 0.0;
-    double highest = 0.0;                      ///< that two sightings in a row agree on
+    double highest = 0.0;                      ///< roof that two sightings in a row agree on
     std::optional<AssumedSize> assumedLength;  ///< of a car whose end alone was seen
     int sightings = 0;
     int startedAt = 1;       ///< sighting at which its state was started, or started anew

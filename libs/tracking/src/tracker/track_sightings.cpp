@@ -241,7 +241,8 @@ Track startedTrack(std::uint64_t id, const Sighting& sighting, const StartSpeed&
     track.state = stateAt(seen, -sighting.lag, options.motion);
     *track.hypotheses = hypothesesFrom(track.state, options.motion);
     track.groundZ = sighting.groundZ;
-    track.height = track.highest = sighting.height;
+    track.height = sighting.height;
+    track.highest = sighting.height + sighting.overHits;
     track.sightings = 1;
     track.lastSeen = sighting.time;
     track.seenFrom = sighting.sensor;
@@ -281,7 +282,8 @@ Track sightedTrack(Track track, const Sighting& sighting, const Neighbourhood& a
     track = openToGrowth(std::move(track), m, sighting.lag, options);
     track = updatedBy(box, std::move(track), then, sighting.time - track.lastSeen, filter, options);
     track.told = track.told.with(m);
-    track.highest = std::max(track.highest, std::min(track.height, sighting.height));
+    track.highest =
+        std::max(track.highest, std::min(track.height, sighting.height) + sighting.overHits);
     track = withEndFollowed(std::move(track), m, visibility);
     track = takenIn(std::move(track), sighting, box, options);
     return withCheckedHeading(std::move(track), sighting, around, options);
