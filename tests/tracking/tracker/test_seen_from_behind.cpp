@@ -134,6 +134,41 @@ y_m = 0
               2.0 * std::sqrt(track.lengthVariance));
 }
 
+// The rear of a bus is closed down to its skirt, that of a truck open below its floor.
+TEST(SeenFromAnEnd, ABusIsLongerThanATruck)
+{
+    const std::string scene = R"(
+[scenario]
+duration_s = 3
+
+[sensor]
+x_m = 0.8
+z_m = 1.9
+
+[platform]
+speed_mps = 8
+
+[object ahead]
+length_m = 12
+width_m = 2.55
+height_m = 3.1
+x_m = 27
+y_m = 0
+speed_mps = 8
+class = )";
+    for (int seed = 1; seed <= 3; ++seed)
+    {
+        const auto lengthOf = [&](const std::string& kind)
+        {
+            const auto tracked = trackedObjects(scenarioOf(scene + kind + "\n", seed));
+            const Seen& last = tracked.at("ahead").back();
+            return last.tracks.empty() ? 0.0 : last.tracks.front().box.length;
+        };
+        EXPECT_NEAR(lengthOf("bus"), 12.0, 1.0) << "seed " << seed;
+        EXPECT_NEAR(lengthOf("truck"), 9.0, 1.0) << "seed " << seed;
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Lengths, SeenFromBehind, testing::Values(3.7, 4.4, 5.2));
 
 }  // namespace

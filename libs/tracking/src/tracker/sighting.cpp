@@ -8,6 +8,7 @@
 #include <iterator>
 #include <utility>
 
+#include "tracker/closed_end.h"
 #include "tracker/layers_of_end.h"
 #include "tracker/partial_faces.h"
 #include "types/hit_bounds.h"
@@ -233,6 +234,7 @@ Sighting sightingOf(const SegmentedFrame& frame, const std::vector<std::size_t>&
     m = withTurnOfPieces(s);
     m = withTurnOfParts(s, seen);
     m = withRecessOfEnd(s, seen);
+    s.isBusEnd = isClosedEnd(s, seen);
     return s;
 }
 

@@ -68,6 +68,7 @@ struct Sighting
     double height = 0.0;    ///< of the highest hit above it, m
     double overHits = 0.0;  ///< what is likely to be above that, between two rows of hits, m
     bool areParts = false;  ///< hit at both ends of a revolution
+    bool isBusEnd = false;  ///< the end seen is closed as a bus's is
 };
 
 /// Height of the highest hit above the local ground, m.

@@ -58,7 +58,8 @@ struct Track
     double groundZ = 0.0;
     double height = 0.0;
     double highest = 0.0;                      ///< roof that two sightings in a row agree on
-    std::optional<AssumedSize> assumedLength;  ///< of a car whose end alone was seen
+    std::optional<AssumedSize> assumedLength;  ///< of what was seen from an end alone
+    int busRears = 0;                          ///< sightings of its rear that only a bus shows
     int sightings = 0;
     int startedAt = 1;       ///< sighting at which its state was started, or started anew
     int misses = 0;          ///< frames since the last sighting

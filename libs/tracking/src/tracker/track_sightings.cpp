@@ -84,26 +84,35 @@ bool isLastGlimpse(const Track& track, const Sighting& sighting, double margin)
     return isPart && !showsFaces && isWithin(sighting.around, track.box(), margin);
 }
 
-// A car whose length was never seen is taken for a longer one as more of its end comes into view.
-Track withEndFollowed(Track track, const Measurement& m, const VisibilityOptions& options)
+// Of a vehicle of which an end alone was ever seen.
+std::optional<AssumedSize> lengthBehindEnd(const Track& track, const VisibilityOptions& options)
 {
-    const bool isAssumed = options.assumeVehicleSize && !track.told.length &&
-                           isCarsEnd(track.hypotheses->standing.width, track.highest);
-    if (!isAssumed)
-    {
-        track.assumedLength.reset();
-        return track;
-    }
-    if (!m.facesSeen.seesEnd()) return track;
+    constexpr int kAgree = 3;  // sightings
+    if (!options.assumeVehicleSize || track.told.length) return std::nullopt;
+    const double seems = track.hypotheses->standing.width;
     const std::optional<double> width =
         track.told.width ? std::optional(track.state.width) : std::nullopt;
-    const AssumedSize now = carLength(track.highest, width, options);
+    if (isCarsEnd(seems, track.highest)) return carLength(track.highest, width, options);
+    if (!width) return std::nullopt;
+    return track.busRears >= kAgree ? kBusLength : lengthBehind(seems, track.highest, options);
+}
+
+// What is seen from an end alone is taken for a longer vehicle as more of its end comes into view.
+Track withEndFollowed(Track track, const Sighting& sighting, const Measurement& m,
+                      const VisibilityOptions& options)
+{
+    constexpr double kSurely = 0.9;
+    const bool isRear = m.facesSeen.has(Face::Back) && track.front.forwardProbability() > kSurely;
+    track.busRears += sighting.isBusEnd && isRear ? 1 : 0;
+    const auto now = lengthBehindEnd(track, options);
+    if (!now) track.assumedLength.reset();
+    if (!now || !m.facesSeen.seesEnd()) return track;
     if (track.assumedLength)
     {
         const double seen = m.facesSeen.has(Face::Front) ? 1.0 : -1.0;
         track.hypotheses->forEach(
             [&](VehicleState& state)
-            { state = withLengthAssumed(state, *track.assumedLength, now, seen); });
+            { state = withLengthAssumed(state, *track.assumedLength, *now, seen); });
     }
     track.assumedLength = now;
     return track;
@@ -284,7 +293,7 @@ Track sightedTrack(Track track, const Sighting& sighting, const Neighbourhood& a
     track.told = track.told.with(m);
     track.highest =
         std::max(track.highest, std::min(track.height, sighting.height) + sighting.overHits);
-    track = withEndFollowed(std::move(track), m, visibility);
+    track = withEndFollowed(std::move(track), sighting, m, visibility);
     track = takenIn(std::move(track), sighting, box, options);
     return withCheckedHeading(std::move(track), sighting, around, options);
 }

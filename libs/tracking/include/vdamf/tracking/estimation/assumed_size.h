@@ -37,6 +37,9 @@ AssumedSize carWidth(double height, const VisibilityOptions& options);
 std::optional<AssumedSize> lengthBehind(double width, double height,
                                         const VisibilityOptions& options);
 
+/// Of a bus: most are 12 m long, articulated ones 18, small ones 9.
+inline constexpr AssumedSize kBusLength{12.0, 2.0};
+
 /// Of the vehicle behind a side of that length and height (m).
 std::optional<AssumedSize> widthBehind(double length, double height,
                                        const VisibilityOptions& options);
