@@ -11,9 +11,9 @@ namespace
 constexpr double kNarrowest = 2.3;  // m, of buses
 constexpr double kLowest = 2.6;     // m
 // Bars of trucks end at 0.6 m at most above the ground, their floors begin at a metre.
-constexpr float kAboveBar = 0.66F;    // m
+constexpr float kAboveBar = 0.66F;   // m
 constexpr float kBelowFloor = 1.0F;  // m
-constexpr float kDeep = 0.25F;        // m, before and behind the end
+constexpr float kDeep = 0.25F;       // m, before and behind the end
 constexpr int kLeastHits = 6;
 constexpr double kLeastShare = 0.7;  // of the width
 }  // namespace
