@@ -64,7 +64,6 @@ std::optional<Tried> linesFrom(const OrientedBox& box, FaceSet seen, const Hits&
     wide.gate = parameters.lines.reach;
     wide.sigma = parameters.lines.reachSigma;
     wide.corner = parameters.lines.corner;
-    wide.iterations = 4;
     wide.toHull = false;
     const auto first = fitFaceLines(hits, box, seen, sensor, wide);
     if (!first) return std::nullopt;
