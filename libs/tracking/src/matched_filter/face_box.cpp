@@ -153,7 +153,7 @@ private:
         }
         else if (seen_[1 - axis])
         {
-            const double turns = axis == 1 ? outOfView(axis, sign) : 1.0;
+            const double turns = axis == 1 && areOfCar(hits_.heights) ? outOfView(axis, sign) : 1.0;
             const double shape = turns * std::max(line(0).shape, line(1).shape);
             RowOnFace row = rowAlong(axis, sign);
             const double reach = sign == nearSign_[axis] ? 0.0 : farReach(axis, row.hits);

@@ -11,18 +11,20 @@ namespace
 constexpr double kNarrowest = 2.3;  // m, of buses
 constexpr double kLowest = 2.6;     // m
 // Bars of trucks end at 0.6 m at most above the ground, their floors begin at a metre.
-constexpr float kAboveBar = 0.66F;   // m
-constexpr float kBelowFloor = 1.0F;  // m
-constexpr float kDeep = 0.25F;       // m, before and behind the end
+constexpr float kAboveBar = 0.66F;    // m
+constexpr float kBelowFloor = 0.95F;  // m
+constexpr float kDeep = 0.25F;        // m, before and behind the end
 constexpr int kLeastHits = 6;
 constexpr double kLeastShare = 0.7;  // of the width
+constexpr double kFarthest = 35.0;   // m: beyond it the ground below is not known to a decimetre
 }  // namespace
 
 bool isClosedEnd(const Sighting& sighting, const HitsAtOneTime& seen)
 {
     const Measurement& m = sighting.measurement;
+    const bool isNear = (m.box.centre() - sighting.sensor).norm() < kFarthest;
     const bool isLarge = m.box.width >= kNarrowest && sighting.height >= kLowest;
-    if (!isLarge || !m.facesSeen.seesEnd() || seen.hits->heights == 0) return false;
+    if (!isNear || !isLarge || !m.facesSeen.seesEnd() || seen.hits->heights == 0) return false;
     const float sign = m.facesSeen.has(Face::Front) ? 1.0F : -1.0F;
     const Eigen::Matrix2f axes = rotation(m.box.heading).cast<float>();
     const Eigen::Vector2f outwards = sign * axes.col(0);
