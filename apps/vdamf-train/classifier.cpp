@@ -19,7 +19,7 @@ namespace
 {
 using Tracks = std::vector<TrackSamples>;
 
-struct Collection
+struct SampleCollection
 {
     Tracks train;
     Tracks test;
@@ -37,9 +37,9 @@ std::string countsText(const TrainingCounts& c)
            std::to_string(c.clutterFrames) + " frames)";
 }
 
-Collection collect(const ClassifierJob& job, const std::atomic<bool>& stop)
+SampleCollection collectAll(const ClassifierJob& job, const std::atomic<bool>& stop)
 {
-    Collection collection;
+    SampleCollection collection;
     for (std::size_t i = 0; i < job.recordings.size(); ++i)
     {
         const Recording& recording = job.recordings[i];
@@ -179,7 +179,7 @@ void trainClassifier(const ClassifierJob& job, const std::atomic<bool>& stop)
     checkFiles(job.recordings);
     if (!job.plots.empty()) std::filesystem::create_directories(job.plots);
     Outputs outputs(outputsOf(job), job.overwrite);
-    Collection collection = collect(job, stop);
+    SampleCollection collection = collectAll(job, stop);
     const auto progress = [&](const std::string& line)
     {
         if (stop) throw std::runtime_error("interrupted");

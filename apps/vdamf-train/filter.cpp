@@ -20,7 +20,7 @@ namespace
 {
 using Conditions = std::vector<LabelledClusters>;
 
-struct Collection
+struct ClusterCollection
 {
     Conditions train;
     Conditions test;
@@ -34,7 +34,7 @@ std::size_t countOf(const Conditions& conditions)
     return count;
 }
 
-void take(Collection& all, const FilterJob& job, const std::string& name, RecordingUse use,
+void take(ClusterCollection& all, const FilterJob& job, const std::string& name, RecordingUse use,
           Conditions conditions)
 {
     const bool isTest = use == RecordingUse::Test;
@@ -46,9 +46,9 @@ void take(Collection& all, const FilterJob& job, const std::string& name, Record
     std::move(conditions.begin(), conditions.end(), std::back_inserter(part));
 }
 
-Collection collect(const FilterJob& job, const std::atomic<bool>& stop)
+ClusterCollection collectClusters(const FilterJob& job, const std::atomic<bool>& stop)
 {
-    Collection all;
+    ClusterCollection all;
     for (const SimulatedSource& source : job.sources.simulated)
         take(all, job, source.name, source.options.use, clustersOf(source));
     for (const FilterRecording& recording : job.sources.recordings)
@@ -90,7 +90,8 @@ private:
     bool isOpen_ = false;
 };
 
-FilterRecord recordOf(const FilterJob& job, const Collection& all, const FilterTraining& training)
+FilterRecord recordOf(const FilterJob& job, const ClusterCollection& all,
+                      const FilterTraining& training)
 {
     const FilterTrainingOptions& o = job.training;
     std::ostringstream options;
@@ -130,7 +131,7 @@ void trainFilter(const FilterJob& job, const std::atomic<bool>& stop)
 {
     checkFiles(job.sources.recordings);
     Outputs outputs(outputsOf(job), job.overwrite);
-    const Collection all = collect(job, stop);
+    const ClusterCollection all = collectClusters(job, stop);
     Progress progress(job.quiet, stop);
     const MeasureOptions& handSet = job.configuration.tracker.measurement;
     FilterTraining training = trainFilter(all.train, handSet, job.training, std::ref(progress));

@@ -13,7 +13,7 @@ constexpr const char* kDefault = "face_lines+start";
 constexpr const char* kCompared[] = {kDefault, "coarse_to_fine+start", "paper+start", "closeness",
                                      "variance"};
 
-std::string number(double value, int decimals)
+std::string toText(double value, int decimals)
 {
     return std::isfinite(value) ? toFixedText(value, decimals) : "-";
 }
@@ -28,16 +28,16 @@ const CaseSummary* rowOf(const std::vector<CaseSummary>& rows, const std::string
 
 std::string centimetres(const ErrorFigures& figures)
 {
-    return number(100.0 * figures.median, 1) + " (" + number(100.0 * figures.bias, 1) + ")";
+    return toText(100.0 * figures.median, 1) + " (" + toText(100.0 * figures.bias, 1) + ")";
 }
 
 std::string ofTheDefault(const CaseSummary& s)
 {
     return " | " + centimetres(s.end) + " | " + centimetres(s.side) + " | " +
-           number(100.0 * s.length.median, 0) + " | " + number(100.0 * s.width.median, 0) + " | " +
-           number(s.neesMean, 2) + " (" + number(s.neesLow, 2) + "-" + number(s.neesHigh, 2) +
-           ") | " + number(100.0 * s.within68, 0) + " / " + number(100.0 * s.within95, 0) + " / " +
-           number(100.0 * s.within99, 0) + " |\n";
+           toText(100.0 * s.length.median, 0) + " | " + toText(100.0 * s.width.median, 0) + " | " +
+           toText(s.neesMean, 2) + " (" + toText(s.neesLow, 2) + "-" + toText(s.neesHigh, 2) +
+           ") | " + toText(100.0 * s.within68, 0) + " / " + toText(100.0 * s.within95, 0) + " / " +
+           toText(100.0 * s.within99, 0) + " |\n";
 }
 }  // namespace
 
@@ -68,13 +68,13 @@ std::string overview(const std::vector<CaseSummary>& rows)
             const CaseSummary* s = rowOf(rows, condition, method);
             table += " | ";
             if (s != nullptr)
-                table += number(s->heading90.median, 2) + " / " + number(s->heading90.p90, 1);
+                table += toText(s->heading90.median, 2) + " / " + toText(s->heading90.p90, 1);
         }
         for (const char* method : kCompared)
         {
             const CaseSummary* s = rowOf(rows, condition, method);
             table += " | ";
-            if (s != nullptr) table += number(100.0 * s->corner.median, 1);
+            if (s != nullptr) table += toText(100.0 * s->corner.median, 1);
         }
         const CaseSummary* own = rowOf(rows, condition, kDefault);
         table += own != nullptr ? ofTheDefault(*own) : " | | | | | | |\n";
