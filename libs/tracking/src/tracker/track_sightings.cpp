@@ -101,8 +101,7 @@ std::optional<AssumedSize> lengthBehindEnd(const Track& track, const VisibilityO
 Track withEndFollowed(Track track, const Sighting& sighting, const Measurement& m,
                       const VisibilityOptions& options)
 {
-    constexpr double kSurely = 0.9;
-    const bool isRear = m.facesSeen.has(Face::Back) && track.front.forwardProbability() > kSurely;
+    const bool isRear = m.facesSeen.has(Face::Back) && track.front.forwardProbability() > 0.9;
     track.busRears += sighting.isBusEnd && isRear ? 1 : 0;
     const auto now = lengthBehindEnd(track, options);
     if (!now) track.assumedLength.reset();
