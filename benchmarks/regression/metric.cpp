@@ -26,6 +26,8 @@ const std::vector<Metric> kMetrics = {
     {"identity_switches", "identity switches", "/clear_mot/identity_switches", "ID", "sw", 1.0,
      4, 0},
     {"flips", "flips of what moves", "/flips_of_moving_objects", "", "flip", 1.0, 5, 0},
+    {"front_share", "front right %", "/errors/front_share", "", "", kPercent, kInFilesOnly, 1,
+     Better::Higher},
     {"position_median_m", "position cm", "/errors/position_m/median", "pos", "cm", kCentimetres},
     {"position_rms_m", "position RMS cm", "/errors/position_m/rms", "cm", "RMS", kCentimetres},
     {"corner_median_m", "corner cm", "/errors/corner_m/median", "corn", "cm", kCentimetres},

@@ -103,6 +103,7 @@ TEST_F(EvaluateAppTest, OneFlipIsCountedOnce)
         });
     const Json m = metrics();
     EXPECT_EQ(m["errors"]["flips"], 1);
+    EXPECT_LT(m["errors"]["front_share"], 1.0);
     EXPECT_EQ(m["flips_of_moving_objects"], 1);
     EXPECT_NEAR(m["errors"]["heading_deg"]["max"].get<double>(), 180.0, 1e-4);
     EXPECT_NEAR(m["errors"]["heading_mod_180_deg"]["max"].get<double>(), 0.0, 1e-4);

@@ -56,6 +56,8 @@ TEST(ErrorSummary, CountsWhatIsKnown)
     const ErrorSummary summary = summaryOf(errors);
     EXPECT_EQ(summary.pairs, 4U);
     EXPECT_EQ(summary.flips, 2U);
+    EXPECT_EQ(summary.frontShare(), 0.5);
+    EXPECT_EQ(summaryOf({}).frontShare(), std::nullopt);
     EXPECT_EQ(flipsOfMoving(errors, 0.3), 1U);
     EXPECT_EQ(summary.longitudinal.count, 4U);
     EXPECT_DOUBLE_EQ(summary.longitudinal.bias, -0.075);

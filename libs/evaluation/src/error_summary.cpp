@@ -67,6 +67,12 @@ Condition facesAre(bool end, bool side)
 }
 }  // namespace
 
+std::optional<double> ErrorSummary::frontShare() const
+{
+    if (pairs == 0) return std::nullopt;
+    return static_cast<double>(pairs - flips) / static_cast<double>(pairs);
+}
+
 ErrorSummary summaryOf(const std::vector<PoseError>& errors)
 {
     const auto of = [&](auto member) { return statisticsOf(valuesOf(errors, member)); };

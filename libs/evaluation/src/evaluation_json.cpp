@@ -43,6 +43,7 @@ Json errorsJson(const ErrorSummary& e)
 {
     return {{"pairs", e.pairs},
             {"flips", e.flips},
+            {"front_share", e.frontShare() ? number(*e.frontShare()) : Json(nullptr)},
             {"position_m", statisticsJson(e.position)},
             {"longitudinal_m", statisticsJson(e.longitudinal)},
             {"lateral_m", statisticsJson(e.lateral)},

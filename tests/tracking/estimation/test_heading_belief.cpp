@@ -69,7 +69,7 @@ TEST(HeadingBelief, VehiclesInLineTellTheFrontUntilItDrives)
     behind.inLine = -4.0;
     const HeadingBelief reversed = HeadingBelief().after(behind);
     EXPECT_LT(reversed.forwardProbability(), 0.05);
-    EXPECT_DOUBLE_EQ(reversed.ownForwardProbability(), 0.5);
+    EXPECT_DOUBLE_EQ(reversed.forwardProbabilityByCourse(), 0.5);
     EXPECT_NEAR(reversed.axesProbability(), 0.5, 1e-12) << "of the axes they tell nothing";
     EXPECT_EQ(reversed.turnDue(2.5), 2);
     EXPECT_GT(reversed.turned(2).forwardProbability(), 0.95);
@@ -78,6 +78,24 @@ TEST(HeadingBelief, VehiclesInLineTellTheFrontUntilItDrives)
     HeadingCues drives = driving(0.0, 6.0);
     drives.inLine = -4.0;
     EXPECT_EQ(afterFrames({}, drives, 10).turnDue(2.5), 0);
+}
+
+TEST(HeadingBelief, ItsShapeTellsTheFrontOfWhatStandsButNotOfWhatDrives)
+{
+    HeadingCues shape;
+    shape.shape = -2.0;
+    EXPECT_LT(HeadingBelief(shape).forwardProbability(), 0.2) << "from the first sighting on";
+    const HeadingBelief standing = afterFrames({}, shape, 20);
+    EXPECT_EQ(standing.turnDue(kDecisive), 2);
+    EXPECT_GT(standing.forwardProbability(), 0.01) << "all frames show the same";
+    EXPECT_NEAR(standing.axesProbability(), 0.5, 1e-12);
+    EXPECT_DOUBLE_EQ(standing.forwardProbabilityByCourse(), 0.5);
+    EXPECT_NEAR(standing.turned(2).forwardProbabilityByShape(),
+                1.0 - standing.forwardProbabilityByShape(), 1e-12);
+    EXPECT_DOUBLE_EQ(standing.turned(1).forwardProbabilityByShape(), 0.5);
+    HeadingCues drives = driving(0.0, 6.0);
+    drives.shape = -2.0;
+    EXPECT_EQ(afterFrames(standing, drives, 10).turnDue(0.0), 0);
 }
 
 TEST(HeadingBelief, WhichWayItMovesAlongAnAxisTellsNothingOfTheAxes)

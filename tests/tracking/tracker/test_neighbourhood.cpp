@@ -75,8 +75,16 @@ TEST(Neighbourhood, WhoDroveTellsTheFrontOfWhatIsInLine)
     HeadingCues forth;
     forth.forth = 0.99;
     seemed.front = seemed.front.after(forth);
-    EXPECT_GT(seemed.front.ownForwardProbability(), 0.9);
+    EXPECT_GT(seemed.front.forwardProbabilityByCourse(), 0.9);
     EXPECT_NEAR(front(seemed, {0, 0.0, 0.0, 4.3, 1.8}), 0.0, 1e-12) << "it may have seemed so";
+    Track shown = parkedAt(1, 7.0, 0.0, 0.0);
+    HeadingCues shape;
+    shape.shape = 2.5;
+    for (int k = 0; k < 6; ++k) shown.front = shown.front.after(shape);
+    shown.judgement.probability = 1.0;
+    const double byShape = front(shown, {0, 0.0, 0.0, 4.3, 1.8});
+    EXPECT_GT(byShape, 1.5);
+    EXPECT_LT(byShape, front(drove, {0, 0.0, 0.0, 4.3, 1.8})) << "who parks may turn around";
 }
 
 TEST(Neighbourhood, ManySayMoreThanOneWithinBounds)

@@ -25,6 +25,8 @@ constexpr double kRepeats = 3.0;
 constexpr double kPartsRepeat = 2.6;
 // Sizes never outweigh a course that goes on: two-wheelers have sides as wide as cars.
 constexpr double kMostBySizes = 5.0;
+// Nor does a shape ever outweigh which way it moves.
+constexpr double kMostByShape = 4.0;
 
 double withEvidence(double odds, double evidence, double frames, double repeats,
                     double mostEver = kCertain)
@@ -87,7 +89,10 @@ double axesEvidence(const HeadingCues& cues)
 }
 
 HeadingBelief::HeadingBelief(const HeadingCues& cues)
-    : axes_(axesEvidence(cues)), ends_{cues.end, cues.end}, sides_{cues.side, cues.side}
+    : axes_(axesEvidence(cues)),
+      ends_{cues.end, cues.end},
+      sides_{cues.side, cues.side},
+      shape_(cues.shape)
 {
 }
 
@@ -112,6 +117,7 @@ HeadingBelief HeadingBelief::after(const HeadingCues& cues) const
     const bool isNew = grown(ends_.longest, sizes.end) || grown(sides_.longest, sizes.side);
     const double before = isNew && axes_ * evidence < 0.0 ? 0.0 : axes_;
     next.axes_ = withEvidence(before, evidence, frames, repeatsOf(sizes), kMostBySizes);
+    next.shape_ = withEvidence(shape_, cues.shape, frames, kRepeats, kMostByShape);
     next.neighbours_ = cues.neighbours;
     next.inLine_ = cues.inLine;
     const double forth = course_[0] - course_[2];
@@ -141,10 +147,11 @@ std::array<double, 4> HeadingBelief::logs() const
 {
     std::array<double, 4> all = course_;
     for (std::size_t k = 1; k < 4; k += 2) all[k] -= axes_ + neighbours_;
-    if (inLine_ == 0.0) return all;
+    const double told = shape_ + inLine_;
+    if (told == 0.0) return all;
     // Whichever way it lies along its axis, both ways together are as likely as before.
     const double either = logOfSum(all[0], all[2]);
-    const double forth = all[0] - all[2] + inLine_;
+    const double forth = all[0] - all[2] + told;
     all[0] = either - logOfSum(0.0, -forth);
     all[2] = either - logOfSum(0.0, forth);
     return all;
@@ -169,19 +176,28 @@ HeadingBelief HeadingBelief::turned(int quarters) const
     next.ends_ = quarters % 2 == 0 ? ends_ : sides_;
     next.sides_ = quarters % 2 == 0 ? sides_ : ends_;
     next.neighbours_ = sign * neighbours_;
-    if (quarters % 4 == 2) next.inLine_ = -inLine_;
-    if (quarters % 4 == 0) next.inLine_ = inLine_;
+    if (quarters % 2 == 0)
+    {
+        const double front = quarters % 4 == 0 ? 1.0 : -1.0;
+        next.shape_ = front * shape_;
+        next.inLine_ = front * inLine_;
+    }
     return next;
 }
 
 double HeadingBelief::forwardProbability() const
 {
-    return 1.0 / (1.0 + std::exp(course_[2] - course_[0] - inLine_));
+    return 1.0 / (1.0 + std::exp(course_[2] - course_[0] - shape_ - inLine_));
 }
 
-double HeadingBelief::ownForwardProbability() const
+double HeadingBelief::forwardProbabilityByCourse() const
 {
     return 1.0 / (1.0 + std::exp(course_[2] - course_[0]));
+}
+
+double HeadingBelief::forwardProbabilityByShape() const
+{
+    return 1.0 / (1.0 + std::exp(-shape_));
 }
 
 double HeadingBelief::axesProbability() const

@@ -95,10 +95,20 @@ std::optional<Course> steadyCourse(const Track& track)
     return all;
 }
 
+// Log odds, by the shape, for a front held so far clockwise from where the measured heading points.
+double shapeCue(const Sighting& sighting, double turned)
+{
+    constexpr double kAlong = 0.7;  // cosine
+    const double cosine = std::cos(turned);
+    return std::abs(cosine) < kAlong ? 0.0 : std::copysign(1.0, cosine) * sighting.front;
+}
+
 // What the sighting just taken in and the path that it ends tell of the front.
 HeadingCues cuesOf(const Track& track, const Sighting& sighting)
 {
     HeadingCues cues = sizeCues(sighting, track.height);
+    const double turned = sighting.measurement.box.heading - track.state.mean(kHeading);
+    cues.shape = track.judgement.probability * shapeCue(sighting, turned);
     const double variance = track.state.covariance(kSpeed, kSpeed);
     cues.forth = 0.5 * std::erfc(-track.state.mean(kSpeed) / std::sqrt(2.0 * variance));
     if (track.path.size() < 2) return cues;
@@ -221,7 +231,7 @@ int dueTurn(const HeadingBelief& front, bool isNew)
 {
     const int quarters = front.turnDue(isNew ? kLikely : kDecisive);
     if (quarters % 2 == 1) return quarters;
-    return front.turnDue(kLikelyFront) == 2 ? 2 : 0;
+    return front.turnDue(isNew ? kLikely : kLikelyFront) == 2 ? 2 : 0;
 }
 
 // Of two ways to turn by a quarter, which sizes cannot tell apart, the one that the path leads to.

@@ -22,6 +22,7 @@ constexpr double kSame = 20.0 * kPi / 180.0;  // rad
 // In one lane fronts lie alike: of labelled pairs 667 in 668.
 constexpr double kLineHalfWidth = 1.5;  // m
 constexpr double kAlikeInLine = 0.99;
+constexpr double kAlikeParked = 0.9;
 
 // Of headings of labelled vehicles that stand within reach of each other, two in three differ by
 // less than 2.6 degrees, one in ten by more than 10.
@@ -46,12 +47,14 @@ double oddsByNeighbour(double vehicle, double own, double share)
     return std::log(p / (1.0 - p));
 }
 
-// Of a front, as likely as not where it was not seen to drive for long: what stands may seem to
-// move for some frames.
-double sureOf(double forward)
+// Log odds that the front of another vehicle in line lies as one's own: by its way where it was
+// seen to drive for long (what stands may seem to move for some frames), else by its shape.
+double frontOdds(const HeadingBelief& front, double vehicle)
 {
     constexpr double kSure = 1e-3;
-    return std::min(forward, 1.0 - forward) < kSure ? forward : 0.5;
+    const double ahead = front.forwardProbabilityByCourse();
+    if (std::min(ahead, 1.0 - ahead) < kSure) return oddsByNeighbour(vehicle, ahead, kAlikeInLine);
+    return oddsByNeighbour(vehicle, front.forwardProbabilityByShape(), kAlikeParked);
 }
 
 // Whether two boxes stand in one lane: parallel, and each before or behind the other.
@@ -83,11 +86,10 @@ Neighbourhood::Neighbourhood(const std::vector<Track>& tracks, const Discriminat
     {
         if (!isPublished(track)) continue;
         const double vehicle = discriminator.vehicleProbability(track);
-        const double ahead = sureOf(track.front.ownForwardProbability());
         neighbours_.push_back({track.id, track.box(), track.misses == 0,
                                track.state.covariance(kHeading, kHeading),
                                oddsByNeighbour(vehicle, track.front.ownAxesProbability(), kAlike),
-                               oddsByNeighbour(vehicle, ahead, kAlikeInLine)});
+                               frontOdds(track.front, vehicle)});
     }
 }
 

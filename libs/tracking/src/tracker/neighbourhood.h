@@ -40,7 +40,7 @@ public:
     double axesEvidence(const OrientedBox& box, std::uint64_t self) const;
 
     /// Log odds that the front of a box lies ahead rather than behind, by the vehicles in line with
-    /// it but for `self`, as each of them drove itself.
+    /// it but for `self`, as each of them drove or shows itself.
     double frontEvidence(const OrientedBox& box, std::uint64_t self) const;
 
     /// Whether a vehicle that is in sight, known to be one and how it lies, but for `self`, fills a

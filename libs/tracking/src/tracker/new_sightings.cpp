@@ -160,6 +160,12 @@ Sighting withLikelierAxes(Sighting sighting, const Neighbourhood& around,
     {
         sighting.measurement = turnedBy(sighting.measurement, 1);
         std::swap(sighting.side, sighting.end);
+        sighting.front = 0.0;
+    }
+    if (sighting.front < 0.0)
+    {
+        sighting.measurement = turnedBy(sighting.measurement, 2);
+        sighting.front = -sighting.front;
     }
     return withHeadingOfNeighbours(std::move(sighting), around, kNew);
 }

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "tracker/closed_end.h"
+#include "tracker/front_by_shape.h"
 #include "tracker/layers_of_end.h"
 #include "tracker/partial_faces.h"
 #include "types/hit_bounds.h"
@@ -235,6 +236,7 @@ Sighting sightingOf(const SegmentedFrame& frame, const std::vector<std::size_t>&
     m = withTurnOfParts(s, seen);
     m = withRecessOfEnd(s, seen);
     s.isBusEnd = isClosedEnd(s, seen);
+    s.front = frontByShape(s, seen);
     return s;
 }
 

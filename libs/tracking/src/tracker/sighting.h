@@ -68,6 +68,8 @@ struct Sighting
     double height = 0.0;    ///< of the highest hit above it, m
     double overHits = 0.0;  ///< what is likely to be above that, between two rows of hits, m
     bool areParts = false;  ///< hit at both ends of a revolution
+    /// Log odds, by the shape, that the front lies where the measurement's heading points.
+    double front = 0.0;
     bool isBusEnd = false;  ///< the end seen is closed as a bus's is
 };
 

@@ -258,7 +258,9 @@ Track startedTrack(std::uint64_t id, const Sighting& sighting, const StartSpeed&
     if (!track.told.length)
         track.assumedLength = assumedSizes(m, track.height, options.visibility).length;
     track.around = inFrameOf(seen.box(), sighting.around);
-    track.front = HeadingBelief(sizeCues(sighting, track.height));
+    HeadingCues cues = sizeCues(sighting, track.height);
+    cues.shape = sighting.front;
+    track.front = HeadingBelief(cues);
     track.measurement = m;
     track.hits = m.hits;
     track.areParts = sighting.areParts;

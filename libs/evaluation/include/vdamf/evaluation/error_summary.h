@@ -2,6 +2,7 @@
 // Pose errors in a few numbers: over all pairs, and by range, hits and faces seen.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,8 @@ struct ErrorSummary
 {
     std::size_t pairs = 0;
     std::size_t flips = 0;  ///< pairs with front taken for rear
+    /// Of the pairs with the front where it is; nothing without pairs.
+    std::optional<double> frontShare() const;
     ErrorStatistics position;
     ErrorStatistics longitudinal;
     ErrorStatistics lateral;

@@ -2,8 +2,8 @@
 // Which of the four faces of a box is the vehicle's front: four hypotheses with probabilities.
 //
 // A box fits as well with front and rear exchanged, and often with length and width exchanged. What
-// decides is gathered over frames: the way a vehicle moves, the sizes that ends and sides have, and
-// how the vehicles around it stand. One frame never turns what others told, so that headings do not
+// decides is gathered over frames: the way a vehicle moves, the sizes that ends and sides have, its
+// shape, and how the vehicles around it stand. One frame never turns what others told, so that headings do not
 // flip.
 #pragma once
 
@@ -30,6 +30,7 @@ struct HeadingCues
     std::optional<FaceExtent> side;  ///< seen, of the box as it is held
     std::optional<FaceExtent> end;   ///< seen, of the box as it is held
     double height = 1.5;             ///< of the vehicle, m
+    double shape = 0.0;       ///< log odds for the front held, by the vehicle's shape
     double neighbours = 0.0;         ///< log odds for the axes held, by the vehicles around it
     double inLine = 0.0;  ///< log odds for the front held, by the vehicles before and behind it
 };
@@ -61,7 +62,9 @@ public:
     double axesProbability() const;
     /// The same by what the vehicle itself showed, without its neighbours.
     double ownAxesProbability() const;
-    double ownForwardProbability() const;
+    /// That the heading points to the front, by the way it moved alone.
+    double forwardProbabilityByCourse() const;
+    double forwardProbabilityByShape() const;
 
 private:
     std::array<double, 4> logs() const;
@@ -82,7 +85,9 @@ private:
         Rows with(const std::optional<FaceExtent>& row, double dt) const;
     };
     Rows ends_, sides_;
-    /// The same by the vehicles around it in the last frame.
+    /// By the shape: log odds of the front held.
+    double shape_ = 0.0;
+    /// Log odds of the axes held by the vehicles around it in the last frame.
     double neighbours_ = 0.0;
     /// Log odds of the front held, by the vehicles in line with it in the last frame.
     double inLine_ = 0.0;
