@@ -16,6 +16,7 @@ namespace vdamf
 namespace
 {
 constexpr double kDepth = 0.1;        // m, by which a piece of a body departs from a plane
+constexpr double kBow = 0.25;         // m, the same of bumpers
 constexpr double kLeastRow = 0.3;     // m
 constexpr double kLongRow = 0.9;      // m
 constexpr double kBumper = 0.65;      // m above ground
@@ -140,15 +141,20 @@ Measurement withTurnOfPieces(const Sighting& sighting)
 {
     Measurement m = sighting.measurement;
     double row = 0.0;
+    double slope = 0.0;
     for (const int axis : {0, 1})
     {
         if (!m.facesSeen.seesAlong(axis)) continue;
         // It is a piece where something hides the rest.
         if (!m.hiddenEnds.seesAcross(axis)) return m;
-        row = std::max(row, axis == 0 ? sighting.side.metres : sighting.end.metres);
+        const double metres = axis == 0 ? sighting.side.metres : sighting.end.metres;
+        if (metres <= row) continue;
+        row = metres;
+        const bool isBow = axis == 1 && sighting.height < kTruckHeight;
+        slope = (isBow ? kBow : kDepth) / std::max(row, kLeastRow);
     }
     if (row <= 0.0) return m;
-    return withTurn(m, std::atan(kDepth / std::max(row, kLeastRow)), sighting.around.centre());
+    return withTurn(m, std::atan(slope), sighting.around.centre());
 }
 
 Measurement withTurnOfParts(const Sighting& sighting, const HitsAtOneTime& seen)
