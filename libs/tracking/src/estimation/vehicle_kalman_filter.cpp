@@ -17,6 +17,7 @@
 #include <utility>
 
 #include "estimation/by_size.h"
+#include "estimation/fixed_point.h"
 #include "estimation/transition.h"
 #include "types/cholesky.h"
 
@@ -57,6 +58,8 @@ double yawRateVarianceBySecondOrder(const VehicleState& state)
                             p(kSpeed, kCurvature) * p(kSpeed, kCurvature);
     return std::min(variance, kMost * kMost);
 }
+
+constexpr double kNowhere = 10.0;  // m
 
 // The state with its length known apart from its motion: told from a point of the box, what else
 // is known holds whatever the length is. Where a vehicle's heading jitters and its rear does not,
@@ -266,8 +269,13 @@ VehicleState VehicleKalmanFilter::update(const VehicleState& state,
 {
     // The width that is known says where the centre is if only one side is seen.
     const BoxMeasurement centred = withKnown(measurement, 4, state.width, state.widthVariance);
-    VehicleState next =
-        engine_->updated(withLengthApart(state, measurement.fixedPoint.x()), centred);
+    // What stands keeps what is known of its other end where the place of that point along the box
+    // is not told.
+    const bool mayMove = state.covariance(kSpeed, kSpeed) > 0.0;
+    const bool isTold = covarianceAtFixedPoint(measurement)(0, 0) < kNowhere * kNowhere;
+    const VehicleState before =
+        mayMove || isTold ? withLengthApart(state, measurement.fixedPoint.x()) : state;
+    VehicleState next = engine_->updated(before, centred);
     const double gain = state.widthVariance / (state.widthVariance + measurement.covariance(4, 4));
     next.width += gain * (measurement.box(4) - state.width);
     next.widthVariance *= 1.0 - gain;

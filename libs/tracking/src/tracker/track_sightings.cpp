@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tracker/discriminate.h"
 #include "tracker/existence.h"
 #include "tracker/faceless.h"
-#include "types/box_changes.h"
+#include "tracker/length_of_end.h"
+#include "tracker/unlikely_turn.h"
 
 namespace vdamf
 {
@@ -82,69 +82,6 @@ bool isLastGlimpse(const Track& track, const Sighting& sighting, double margin)
     const bool isPart =
         std::hypot(sighting.around.length, sighting.around.width) < kPart * track.box().length;
     return isPart && !showsFaces && isWithin(sighting.around, track.box(), margin);
-}
-
-// Of a vehicle of which an end alone was ever seen.
-std::optional<AssumedSize> lengthBehindEnd(const Track& track, const VisibilityOptions& options)
-{
-    constexpr int kAgree = 3;  // sightings
-    if (!options.assumeVehicleSize || track.told.length) return std::nullopt;
-    const double seems = track.hypotheses->standing.width;
-    const std::optional<double> width =
-        track.told.width ? std::optional(track.state.width) : std::nullopt;
-    if (isCarsEnd(seems, track.highest)) return carLength(track.highest, width, options);
-    if (!width) return std::nullopt;
-    return track.busRears >= kAgree ? kBusLength : lengthBehind(seems, track.highest, options);
-}
-
-// What is seen from an end alone is taken for a longer vehicle as more of its end comes into view.
-Track withEndFollowed(Track track, const Sighting& sighting, const Measurement& m,
-                      const VisibilityOptions& options)
-{
-    const bool isRear = m.facesSeen.has(Face::Back) && track.front.forwardProbability() > 0.9;
-    track.busRears += sighting.isBusEnd && isRear ? 1 : 0;
-    const auto now = lengthBehindEnd(track, options);
-    if (!now) track.assumedLength.reset();
-    if (!now || !m.facesSeen.seesEnd()) return track;
-    if (track.assumedLength)
-    {
-        const double seen = m.facesSeen.has(Face::Front) ? 1.0 : -1.0;
-        track.hypotheses->forEach(
-            [&](VehicleState& state)
-            { state = withLengthAssumed(state, *track.assumedLength, *now, seen); });
-    }
-    track.assumedLength = now;
-    return track;
-}
-
-// Of an end alone no row of hits tells the heading as well as a vehicle keeps its own: what seems
-// to turn more than both may err is an error of the fit, about the hits.
-Measurement withUnlikelyTurn(const Measurement& measurement, const VehicleState& foretold,
-                             const Eigen::Vector2d& hits)
-{
-    constexpr double kSigmas = 3.0;
-    if (measurement.facesSeen.seesSide()) return measurement;
-    const double turned = wrapAngle(measurement.box.heading - foretold.mean(kHeading));
-    const double lacking = turned * turned / (kSigmas * kSigmas) - measurement.covariance(2, 2) -
-                           foretold.covariance(kHeading, kHeading);
-    if (lacking <= 0.0) return measurement;
-    const Vector5d turn = byTurn(measurement.box.centre() - hits);
-    Measurement m = measurement;
-    m.covariance += lacking * turn * turn.transpose();
-    return m;
-}
-
-// No smaller than a vehicle of which that is seen (height: m).
-Track grownToAVehicle(Track track, const Measurement& m, double height,
-                      const VisibilityOptions& options)
-{
-    track.hypotheses->forEach([&](VehicleState& state)
-                              { state = grownToAVehicle(state, m, height, track.told, options); });
-    if (track.judgement.probability > kSurelyAVehicle)
-        track.hypotheses->forEach(
-            [&](VehicleState& state)
-            { state = grownAsJudged(state, m, height, track.told, options); });
-    return track;
 }
 
 // The whole box by a sighting, at the time of its hits; `then`: what was foretold for that time.
@@ -275,8 +212,9 @@ Track sightedTrack(Track track, const Sighting& sighting, const Neighbourhood& a
                    VehicleKalmanFilter& filter, const TrackerOptions& options)
 {
     const VisibilityOptions& visibility = options.visibility;
-    const Measurement m = alignedWith(
-        sighting.measurement, stateAt(track.state, sighting.lag, options.motion).mean(kHeading));
+    Measurement m = alignedWith(sighting.measurement,
+                                stateAt(track.state, sighting.lag, options.motion).mean(kHeading));
+    if (stands(track)) m = turnedBack(m, track.state, sighting.around.centre());
     track.measurement = m;
     track.hits = m.hits;
     track.areParts = sighting.areParts;

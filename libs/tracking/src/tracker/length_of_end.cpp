@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tracker/length_of_end.h"
+
+#include "tracker/closed_end.h"
+#include "tracker/discriminate.h"
+#include "vdamf/tracking/estimation/assumed_size.h"
+#include "vdamf/tracking/estimation/start_state.h"
+
+namespace vdamf
+{
+namespace
+{
+// Of a vehicle of which an end alone was ever seen.
+std::optional<AssumedSize> lengthBehindEnd(const Track& track, const VisibilityOptions& options)
+{
+    constexpr int kAgree = 3;  // sightings
+    if (!options.assumeVehicleSize || track.told.length) return std::nullopt;
+    const double seems = track.hypotheses->standing.width;
+    const std::optional<double> width =
+        track.told.width ? std::optional(track.state.width) : std::nullopt;
+    if (isCarsEnd(seems, track.highest)) return carLength(track.highest, width, options);
+    if (!width) return std::nullopt;
+    return track.busRears >= kAgree ? kBusLength : lengthBehind(seems, track.highest, options);
+}
+}  // namespace
+
+Track grownToAVehicle(Track track, const Measurement& m, double height,
+                      const VisibilityOptions& options)
+{
+    track.hypotheses->forEach([&](VehicleState& state)
+                              { state = grownToAVehicle(state, m, height, track.told, options); });
+    if (track.judgement.probability > kSurelyAVehicle)
+        track.hypotheses->forEach(
+            [&](VehicleState& state)
+            { state = grownAsJudged(state, m, height, track.told, options); });
+    return track;
+}
+
+Track withEndFollowed(Track track, const Sighting& sighting, const Measurement& m,
+                      const VisibilityOptions& options)
+{
+    const bool isRear = m.facesSeen.has(Face::Back) && track.front.forwardProbability() > 0.9;
+    track.busRears += sighting.isBusEnd && isRear ? 1 : 0;
+    const auto now = lengthBehindEnd(track, options);
+    if (!now) track.assumedLength.reset();
+    if (!now || !m.facesSeen.seesEnd()) return track;
+    if (track.assumedLength)
+    {
+        const double seen = m.facesSeen.has(Face::Front) ? 1.0 : -1.0;
+        track.hypotheses->forEach(
+            [&](VehicleState& state)
+            { state = withLengthAssumed(state, *track.assumedLength, *now, seen); });
+    }
+    track.assumedLength = now;
+    return track;
+}
+
+}  // namespace vdamf

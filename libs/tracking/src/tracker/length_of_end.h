@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How long vehicles are held to be of which no side has told it.
+#pragma once
+
+#include "tracker/track.h"
+
+namespace vdamf
+{
+/// The track no smaller than a vehicle of which that is seen (height: m).
+Track grownToAVehicle(Track track, const Measurement& m, double height,
+                      const VisibilityOptions& options);
+
+/// The track, of which an end alone was ever seen, taken for a longer vehicle as more of that comes
+/// into view.
+Track withEndFollowed(Track track, const Sighting& sighting, const Measurement& m,
+                      const VisibilityOptions& options);
+
+}  // namespace vdamf

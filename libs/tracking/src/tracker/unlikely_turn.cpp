@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tracker/unlikely_turn.h"
+
+#include <cmath>
+
+#include "types/box_changes.h"
+
+namespace vdamf
+{
+Measurement withUnlikelyTurn(const Measurement& measurement, const VehicleState& foretold,
+                             const Eigen::Vector2d& hits)
+{
+    constexpr double kSigmas = 3.0;
+    if (measurement.facesSeen.seesSide()) return measurement;
+    const double turned = wrapAngle(measurement.box.heading - foretold.mean(kHeading));
+    const double lacking = turned * turned / (kSigmas * kSigmas) - measurement.covariance(2, 2) -
+                           foretold.covariance(kHeading, kHeading);
+    if (lacking <= 0.0) return measurement;
+    const Vector5d turn = byTurn(measurement.box.centre() - hits);
+    Measurement m = measurement;
+    m.covariance += lacking * turn * turn.transpose();
+    return m;
+}
+
+Measurement turnedBack(const Measurement& measurement, const VehicleState& standing,
+                       const Eigen::Vector2d& hits)
+{
+    constexpr double kFar = 0.1;     // rad
+    constexpr double kSure = 0.04;   // rad
+    constexpr double kVaguer = 3.0;  // times what is known
+    const double turned = wrapAngle(standing.mean(kHeading) - measurement.box.heading);
+    const double variance = measurement.covariance(2, 2);
+    const double known = standing.covariance(kHeading, kHeading);
+    const bool isVague = known < kSure * kSure && variance > kVaguer * kVaguer * known;
+    if (std::abs(turned) < kFar || !isVague) return measurement;
+    Measurement m = measurement;
+    const Vector5d change = variance / (variance + known) * turned * byTurn(m.box.centre() - hits);
+    m.box.x += change(0);
+    m.box.y += change(1);
+    m.box.heading = wrapAngle(m.box.heading + change(2));
+    return m;
+}
+
+}  // namespace vdamf
