@@ -107,7 +107,7 @@ Measurement withoutEndOfShortSide(const Sighting& sighting)
     constexpr double kShortRow = 3.5;
     Measurement m = sighting.measurement;
     const bool isCars =
-        m.facesSeen.seesEnd() && locatesWidth(m) && isCarsEnd(m.box.width, sighting.height);
+        m.facesSeen.seesEnd() && isCarsEnd(m.box.width, sighting.height);
     if (isCars && locatesLength(m) && m.box.length < kShortRow)
         m.hiddenEnds.add(m.facesSeen.has(Face::Front) ? Face::Back : Face::Front);
     return m;
