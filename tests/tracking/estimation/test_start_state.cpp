@@ -137,6 +137,14 @@ TEST(GrownAsJudged, WhatIsAsWideAsACarIsNotShorterThanAny)
     piece.mean(kLength) = 2.6;
     EXPECT_EQ(grownAsJudged(piece, rearOf(1.7), 1.5, {true, true}, o).mean, piece.mean)
         << "of a city car";
+    piece.mean(kLength) = 3.2;
+    piece.covariance(kLength, kLength) = 0.6 * 0.6;
+    EXPECT_NEAR(grownAsJudged(piece, rearOf(1.7), 1.5, {true, true}, o).mean(kLength), o.carLength,
+                0.1)
+        << "told vaguely";
+    piece.covariance(kLength, kLength) = 0.2 * 0.2;
+    EXPECT_EQ(grownAsJudged(piece, rearOf(1.7), 1.5, {true, true}, o).mean, piece.mean)
+        << "of a small car, told well";
     piece.mean(kLength) = 2.0;
     piece.width = 0.8;
     EXPECT_EQ(grownAsJudged(piece, rearOf(0.8), 1.5, {true, true}, o).mean, piece.mean)

@@ -18,6 +18,7 @@ constexpr double kCurvatureSigma = 0.05;
 constexpr double kAcrossSigma = 2.0;
 
 constexpr double kShortestSide = 2.4;  // m, of any car
+constexpr double kVaguelyTold = 0.4;   // m, of lengths
 
 // Which side of an end nothing hides: 1 the left one, -1 the right one, 0 both or none.
 double notHidden(const Measurement& m)
@@ -115,10 +116,13 @@ VehicleState grownAsJudged(const VehicleState& predicted, const Measurement& m, 
     if (!told.width && predicted.width < kNarrowestCar)
         next = grownTo(next, 1, staying(m, 1), carWidth(height, o));
     const double width = std::clamp(next.width, kNarrowestCar, kWidestTruck);
-    // No vehicle is as wide and short: of its side a part is seen.
-    const bool isShort = m.facesSeen.seesEnd() && predicted.width >= kNarrowestCar &&
-                         predicted.mean(kLength) < kShortestSide;
-    if ((!told.length || isShort) && predicted.mean(kLength) < kShortestCar)
+    // No vehicle is as wide and short, hardly one as short as that if it is told vaguely: of its
+    // side a part is seen.
+    const bool isWideEnd = m.facesSeen.seesEnd() && predicted.width >= kNarrowestCar;
+    const bool isVague = predicted.covariance(kLength, kLength) > kVaguelyTold * kVaguelyTold;
+    const double shortestTold = isVague ? kShortestUsual : kShortestSide;
+    const double shortest = told.length ? (isWideEnd ? shortestTold : 0.0) : kShortestCar;
+    if (predicted.mean(kLength) < shortest)
         next = grownTo(next, 0, staying(m, 0), lengthBehind(width, height, o));
     return next;
 }

@@ -17,8 +17,8 @@ namespace
 constexpr double kCourseDistance = 1.5;  // m: beyond what measurement noise could feign
 constexpr double kCourseSpeed = 0.5;     // m/s
 constexpr double kLeastShare = 0.5;      // of the mean speed, in each half of a steady course
-// Log odds from which on length and width are exchanged, of young tracks and of others, and front
-// and rear.
+// Log odds from which on length and width are exchanged, or front and rear: of young tracks either,
+// of others each.
 constexpr double kLikely = 0.5;
 constexpr double kDecisive = 3.0;
 constexpr double kLikelyFront = 2.5;

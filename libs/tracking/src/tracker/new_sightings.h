@@ -18,7 +18,8 @@ std::vector<Sighting> newSightings(const SegmentedFrame& frame, const std::vecto
                                    const Neighbourhood& around, const TrackerOptions& options,
                                    WorkerPool& workers);
 
-/// With length and width exchanged where the sizes seen and the vehicles around say so.
+/// With length and width exchanged where the sizes seen and the vehicles around say so, and front
+/// and rear where the shape does.
 Sighting withLikelierAxes(Sighting sighting, const Neighbourhood& around,
                           const TrackerOptions& options);
 

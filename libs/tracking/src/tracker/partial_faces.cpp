@@ -103,12 +103,9 @@ Measurement withRowsBetweenHiddenEnds(const Sighting& sighting)
 
 Measurement withoutEndOfShortSide(const Sighting& sighting)
 {
-    // m, of rows of hits: of 265 labelled cars and vans (KITTI, Argoverse 2) two are shorter.
-    constexpr double kShortRow = 3.5;
     Measurement m = sighting.measurement;
-    const bool isCars =
-        m.facesSeen.seesEnd() && isCarsEnd(m.box.width, sighting.height);
-    if (isCars && locatesLength(m) && m.box.length < kShortRow)
+    const bool isCars = m.facesSeen.seesEnd() && isCarsEnd(m.box.width, sighting.height);
+    if (isCars && locatesLength(m) && m.box.length < kShortestUsual)
         m.hiddenEnds.add(m.facesSeen.has(Face::Front) ? Face::Back : Face::Front);
     return m;
 }

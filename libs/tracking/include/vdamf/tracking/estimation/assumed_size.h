@@ -21,9 +21,10 @@ struct AssumedSizes
     std::optional<AssumedSize> width;
 };
 
-inline constexpr double kNarrowestCar = 1.3;  ///< m
-inline constexpr double kWidestTruck = 2.8;   ///< m
-inline constexpr double kShortestCar = 3.0;   ///< m: longer than a motorcycle
+inline constexpr double kNarrowestCar = 1.3;   ///< m
+inline constexpr double kWidestTruck = 2.8;    ///< m
+inline constexpr double kShortestUsual = 3.5;  ///< m: of 265 labelled cars and vans two are shorter
+inline constexpr double kShortestCar = 3.0;    ///< m: longer than a motorcycle
 
 /// Widest that an end of a car or van of that height seems to be, m.
 double widestCar(double height);
