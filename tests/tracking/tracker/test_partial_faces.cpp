@@ -56,7 +56,8 @@ TEST(PartialFaces, APieceOfAnEndTellsLittleOfTheHeading)
     EXPECT_NEAR(std::sqrt(m.covariance(2, 2)), 0.395, 0.01) << "a bumper is bowed";
     Sighting trucks = piece;
     trucks.height = 3.0;
-    EXPECT_NEAR(std::sqrt(withTurnOfPieces(trucks).covariance(2, 2)), 0.165, 0.01) << "a truck's box is not";
+    EXPECT_NEAR(std::sqrt(withTurnOfPieces(trucks).covariance(2, 2)), 0.165, 0.01)
+        << "a truck's box is not";
     // The piece itself stays where it was seen.
     EXPECT_NEAR(varianceAt(m, 20.05, 0.6), varianceAt(piece.measurement, 20.05, 0.6), 0.002);
     EXPECT_GT(varianceAt(m, 20.0, -0.9), varianceAt(piece.measurement, 20.0, -0.9) + 0.05);

@@ -25,7 +25,7 @@ constexpr double kRepeats = 3.0;
 constexpr double kPartsRepeat = 2.6;
 // Sizes never outweigh a course that goes on: two-wheelers have sides as wide as cars.
 constexpr double kMostBySizes = 5.0;
-// Nor does a shape ever outweigh which way it moves.
+// Nor does a shape outweigh a course that goes on.
 constexpr double kMostByShape = 4.0;
 
 double withEvidence(double odds, double evidence, double frames, double repeats,

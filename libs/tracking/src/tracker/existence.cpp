@@ -116,10 +116,9 @@ Track withConfirmation(Track track, const LifecycleOptions& options)
         std::abs(told.mean(kSpeed)) + 2.0 * std::sqrt(told.covariance(kSpeed, kSpeed));
     const double forward =
         std::min(track.front.forwardProbability(), track.front.forwardProbabilityByCourse());
-    const bool isVague =
-        track.front.axesProbability() < options.confirmAxes ||
-        speedSigma > options.confirmSpeedSigma ||
-        (fastest > kStill && forward < options.confirmAxes);
+    const bool isVague = track.front.axesProbability() < options.confirmAxes ||
+                         speedSigma > options.confirmSpeedSigma ||
+                         (fastest > kStill && forward < options.confirmAxes);
     const int enough = options.confirmHits + (isVague ? kPatience : 0);
     if (track.status == TrackStatus::Coasting || sightings >= enough)
         track.status = TrackStatus::Confirmed;

@@ -14,7 +14,8 @@ namespace
 // Heights at which windows are looked for, m above the ground, the best first.
 constexpr std::array<float, 3> kWindows = {1.2F, 1.1F, 1.0F};
 constexpr double kLean = 1.5;        // m that windows of cars recede over a metre of height
-constexpr double kLowestVan = 1.75;  // m
+constexpr double kHighestCar = 1.7;  // m
+constexpr double kLowestVan = 1.9;   // m: between them it may be either
 constexpr double kLowestBus = 2.4;   // m: what is as high may be flat at both ends
 constexpr double kNarrowest = 1.3;   // m, of what is no two-wheeler
 constexpr double kWidest = 2.3;      // m, of vans
@@ -22,6 +23,7 @@ constexpr double kBeyond = 0.5;      // m, hits before an end
 constexpr double kBeside = 0.2;      // m, hits beside a side
 constexpr double kDeepest = 2.6;     // m: no window of an end begins as far behind it
 constexpr double kMost = 2.5;        // log odds, of one sighting
+constexpr double kUnlookedFor = 0.5;
 
 // Of a depth behind an end, m.
 struct Normal
@@ -45,22 +47,30 @@ struct WindowDepths
     Normal boot;
     double shareOfTailgates;
 
-    // Log odds that an end with windows as far behind it is the front.
-    double frontOdds(double depth) const
+    double atRear(double depth) const
     {
-        constexpr double kAnywhere = 0.06;  // density, 1/m, of what is not as usual
-        const double rear =
-            shareOfTailgates * tailgate(depth) + (1.0 - shareOfTailgates) * boot(depth) + kAnywhere;
-        return std::log((front(depth) + kAnywhere) / rear);
+        return shareOfTailgates * tailgate(depth) + (1.0 - shareOfTailgates) * boot(depth);
     }
 };
 
-// Of an end towards the sensor. What is told of the one away from it hangs on the length.
-constexpr WindowDepths kNearOfCar = {{1.45, 0.3}, {0.35, 0.22}, {0.95, 0.3}, 0.55};
-constexpr WindowDepths kFarOfCar = {{1.75, 0.4}, {0.5, 0.3}, {1.3, 0.4}, 0.55};
+// Of an end that is seen. What a row along the side tells of one that is not hangs on its end.
+constexpr WindowDepths kSeenOfCar = {{1.45, 0.3}, {0.35, 0.22}, {0.95, 0.3}, 0.55};
+constexpr WindowDepths kUnseenOfCar = {{1.75, 0.4}, {0.5, 0.3}, {1.3, 0.4}, 0.55};
 // No van has a boot; no depth is negative.
-constexpr WindowDepths kNearOfVan = {{0.8, 0.35}, {0.0, 0.15}, {0.0, 0.15}, 1.0};
-constexpr WindowDepths kFarOfVan = {{0.9, 0.35}, {0.0, 0.25}, {0.0, 0.25}, 1.0};
+constexpr WindowDepths kSeenOfVan = {{0.8, 0.35}, {0.0, 0.15}, {0.0, 0.15}, 1.0};
+constexpr WindowDepths kUnseenOfVan = {{0.9, 0.35}, {0.0, 0.25}, {0.0, 0.25}, 1.0};
+
+// Log odds that an end with windows as far behind it is the front of a vehicle, which is a van with
+// that probability.
+double frontOdds(double depth, bool isSeen, double van)
+{
+    constexpr double kAnywhere = 0.06;  // density, 1/m, of what is not as usual
+    const WindowDepths& ofCar = isSeen ? kSeenOfCar : kUnseenOfCar;
+    const WindowDepths& ofVan = isSeen ? kSeenOfVan : kUnseenOfVan;
+    const double front = (1.0 - van) * ofCar.front(depth) + van * ofVan.front(depth);
+    const double rear = (1.0 - van) * ofCar.atRear(depth) + van * ofVan.atRear(depth);
+    return std::log((front + kAnywhere) / (rear + kAnywhere));
+}
 
 // Along a box from its centre, m, of hits at least as high as some windows.
 struct Reach
@@ -93,8 +103,8 @@ Reaches reachesOf(const OrientedBox& box, const Cluster& hits)
     return reaches;
 }
 
-// How far behind the end in the direction of `sign` along the box the highest windows begin, as at
-// the height of the first ones, m.
+// How far behind the end in the direction of `sign` along the box hits at the height of windows
+// begin, m; of lower ones, where those would.
 std::optional<double> depthOfWindows(const Reaches& reaches, const OrientedBox& box, double sign)
 {
     for (std::size_t k = 0; k < kWindows.size(); ++k)
@@ -115,18 +125,21 @@ double frontByShape(const Sighting& sighting, const HitsAtOneTime& seen)
     if (seen.hits->heights == 0 || sighting.height >= kLowestBus || m.box.width < kNarrowest ||
         m.box.width > kWidest)
         return 0.0;
-    const bool isVan = sighting.height >= kLowestVan;
+    const double van =
+        std::clamp((sighting.height - kHighestCar) / (kLowestVan - kHighestCar), 0.0, 1.0);
     const Reaches reaches = reachesOf(m.box, *seen.each);
     double odds = 0.0;
     for (const Face end : {Face::Front, Face::Back})
     {
-        const bool isNear = m.facesSeen.has(end);
-        if (m.hiddenEnds.has(end) || !(isNear || m.facesSeen.seesSide())) continue;
+        const bool isSeen = m.facesSeen.has(end);
+        if (m.hiddenEnds.has(end) || !(isSeen || m.facesSeen.seesSide())) continue;
         const double sign = end == Face::Front ? 1.0 : -1.0;
         const auto depth = depthOfWindows(reaches, m.box, sign);
-        const WindowDepths& usual =
-            isNear ? (isVan ? kNearOfVan : kNearOfCar) : (isVan ? kFarOfVan : kFarOfCar);
-        if (depth) odds += sign * usual.frontOdds(*depth);
+        if (!depth) continue;
+        // Where no end is seen, hits may be missing that no ray has looked for: panes let them
+        // through.
+        const double front = frontOdds(*depth, isSeen, van);
+        odds += sign * (isSeen || front < 0.0 ? front : kUnlookedFor * front);
     }
     return std::clamp(odds, -kMost, kMost);
 }

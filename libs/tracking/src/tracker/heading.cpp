@@ -17,8 +17,8 @@ namespace
 constexpr double kCourseDistance = 1.5;  // m: beyond what measurement noise could feign
 constexpr double kCourseSpeed = 0.5;     // m/s
 constexpr double kLeastShare = 0.5;      // of the mean speed, in each half of a steady course
-// Log odds from which on length and width are exchanged, or front and rear: of young tracks either,
-// of others each.
+// Log odds from which on length and width are exchanged, of young tracks and of others, and front
+// and rear, but where the shape of young ones tells them.
 constexpr double kLikely = 0.5;
 constexpr double kDecisive = 3.0;
 constexpr double kLikelyFront = 2.5;
@@ -227,11 +227,13 @@ Track reversed(const Track& track, const MotionOptions& motion)
     return next;
 }
 
-int dueTurn(const HeadingBelief& front, bool isNew)
+int dueTurn(const Track& track)
 {
-    const int quarters = front.turnDue(isNew ? kLikely : kDecisive);
+    const bool isNew = track.sightings < kYoung;
+    const int quarters = track.front.turnDue(isNew ? kLikely : kDecisive);
     if (quarters % 2 == 1) return quarters;
-    return front.turnDue(isNew ? kLikely : kLikelyFront) == 2 ? 2 : 0;
+    const bool isShown = isNew && track.front.forwardProbabilityByShape() < 0.5;
+    return track.front.turnDue(isShown ? kLikely : kLikelyFront) == 2 ? 2 : 0;
 }
 
 // Of two ways to turn by a quarter, which sizes cannot tell apart, the one that the path leads to.
@@ -279,7 +281,7 @@ Track withCheckedHeading(Track track, const Sighting& sighting, const Neighbourh
         cues.inLine = around.frontEvidence(box, track.id);
     }
     track.front = track.front.after(cues);
-    int quarters = dueTurn(track.front, track.sightings < kYoung);
+    int quarters = dueTurn(track);
     if (quarters == 0) return track;
     if (quarters % 2 == 1) quarters = towardsPath(track, quarters);
     track.front = track.front.turned(quarters);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tracker/length_of_end.h"
 
-#include "tracker/closed_end.h"
 #include "tracker/discriminate.h"
 #include "vdamf/tracking/estimation/assumed_size.h"
 #include "vdamf/tracking/estimation/start_state.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How long vehicles are held to be of which no side has told it.
+// How large vehicles are held to be of which not all has been told.
 #pragma once
 
 #include "tracker/track.h"

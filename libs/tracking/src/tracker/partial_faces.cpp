@@ -137,20 +137,18 @@ Measurement withinRowOfSide(const Sighting& sighting)
 Measurement withTurnOfPieces(const Sighting& sighting)
 {
     Measurement m = sighting.measurement;
-    double row = 0.0;
-    double slope = 0.0;
+    double slope = std::numeric_limits<double>::infinity();
     for (const int axis : {0, 1})
     {
         if (!m.facesSeen.seesAlong(axis)) continue;
         // It is a piece where something hides the rest.
         if (!m.hiddenEnds.seesAcross(axis)) return m;
         const double metres = axis == 0 ? sighting.side.metres : sighting.end.metres;
-        if (metres <= row) continue;
-        row = metres;
         const bool isBow = axis == 1 && sighting.height < kTruckHeight;
-        slope = (isBow ? kBow : kDepth) / std::max(row, kLeastRow);
+        if (metres > 0.0)
+            slope = std::min(slope, (isBow ? kBow : kDepth) / std::max(metres, kLeastRow));
     }
-    if (row <= 0.0) return m;
+    if (!std::isfinite(slope)) return m;
     return withTurn(m, std::atan(slope), sighting.around.centre());
 }
 

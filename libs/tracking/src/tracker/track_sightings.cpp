@@ -196,7 +196,7 @@ Track startedTrack(std::uint64_t id, const Sighting& sighting, const StartSpeed&
         track.assumedLength = assumedSizes(m, track.height, options.visibility).length;
     track.around = inFrameOf(seen.box(), sighting.around);
     HeadingCues cues = sizeCues(sighting, track.height);
-    cues.shape = sighting.front;
+    cues.shape = track.judgement.probability * sighting.front;
     track.front = HeadingBelief(cues);
     track.measurement = m;
     track.hits = m.hits;

@@ -25,19 +25,21 @@ Measurement withUnlikelyTurn(const Measurement& measurement, const VehicleState&
 Measurement turnedBack(const Measurement& measurement, const VehicleState& standing,
                        const Eigen::Vector2d& hits)
 {
-    constexpr double kFar = 0.1;     // rad
-    constexpr double kSure = 0.04;   // rad
-    constexpr double kVaguer = 3.0;  // times what is known
+    constexpr double kFar = 0.1;            // rad
+    constexpr double kAcross = 0.25 * kPi;  // rad: length and width may be exchanged
+    constexpr double kSure = 0.04;          // rad
+    constexpr double kVaguer = 3.0;         // times what is known
     const double turned = wrapAngle(standing.mean(kHeading) - measurement.box.heading);
     const double variance = measurement.covariance(2, 2);
     const double known = standing.covariance(kHeading, kHeading);
     const bool isVague = known < kSure * kSure && variance > kVaguer * kVaguer * known;
-    if (std::abs(turned) < kFar || !isVague) return measurement;
+    if (std::abs(turned) < kFar || std::abs(turned) > kAcross || !isVague) return measurement;
+    const double back = variance / (variance + known) * turned;
+    const Eigen::Vector2d centre = hits + rotation(back) * (measurement.box.centre() - hits);
     Measurement m = measurement;
-    const Vector5d change = variance / (variance + known) * turned * byTurn(m.box.centre() - hits);
-    m.box.x += change(0);
-    m.box.y += change(1);
-    m.box.heading = wrapAngle(m.box.heading + change(2));
+    m.box.x = centre.x();
+    m.box.y = centre.y();
+    m.box.heading = wrapAngle(m.box.heading + back);
     return m;
 }
 

@@ -3,8 +3,8 @@
 //
 // A box fits as well with front and rear exchanged, and often with length and width exchanged. What
 // decides is gathered over frames: the way a vehicle moves, the sizes that ends and sides have, its
-// shape, and how the vehicles around it stand. One frame never turns what others told, so that headings do not
-// flip.
+// shape, and how the vehicles around it stand. One frame never turns what others told, so that
+// headings do not flip.
 #pragma once
 
 #include <array>
@@ -30,7 +30,7 @@ struct HeadingCues
     std::optional<FaceExtent> side;  ///< seen, of the box as it is held
     std::optional<FaceExtent> end;   ///< seen, of the box as it is held
     double height = 1.5;             ///< of the vehicle, m
-    double shape = 0.0;       ///< log odds for the front held, by the vehicle's shape
+    double shape = 0.0;              ///< log odds for the front held, by the vehicle's shape
     double neighbours = 0.0;         ///< log odds for the axes held, by the vehicles around it
     double inLine = 0.0;  ///< log odds for the front held, by the vehicles before and behind it
 };
