@@ -13,17 +13,17 @@ namespace
 {
 // Heights at which windows are looked for, m above the ground, the best first.
 constexpr std::array<float, 3> kWindows = {1.2F, 1.1F, 1.0F};
-constexpr double kLean = 1.5;        // m that windows of cars recede over a metre of height
-constexpr double kHighestCar = 1.7;  // m
-constexpr double kLowestVan = 1.9;   // m: between them it may be either
-constexpr double kLowestBus = 2.4;   // m: what is as high may be flat at both ends
-constexpr double kNarrowest = 1.3;   // m, of what is no two-wheeler
-constexpr double kWidest = 2.3;      // m, of vans
-constexpr double kBeyond = 0.5;      // m, hits before an end
-constexpr double kBeside = 0.2;      // m, hits beside a side
-constexpr double kDeepest = 2.6;     // m: no window of an end begins as far behind it
-constexpr double kMost = 2.5;        // log odds, of one sighting
-constexpr double kUnlookedFor = 0.5;
+constexpr double kLean = 1.5;         // m that windows of cars recede over a metre of height
+constexpr double kHighestCar = 1.7;   // m
+constexpr double kLowestVan = 1.9;    // m: between them it may be either
+constexpr double kLowestBus = 2.4;    // m: what is as high may be flat at both ends
+constexpr double kNarrowest = 1.3;    // m, of what is no two-wheeler
+constexpr double kWidest = 2.3;       // m, of vans
+constexpr double kBeyond = 0.5;       // m, hits before an end
+constexpr double kBeside = 0.2;       // m, hits beside a side
+constexpr double kDeepest = 2.6;      // m: no window of an end begins as far behind it
+constexpr double kMost = 2.5;         // log odds, of one sighting
+constexpr double kUnlookedFor = 0.5;  // share of what missing hits tell
 
 // Of a depth behind an end, m.
 struct Normal
@@ -45,20 +45,18 @@ struct WindowDepths
     Normal front;
     Normal tailgate;
     Normal boot;
-    double shareOfTailgates;
+    double tailgates;  // share of the rears
+    double boots;
 
-    double atRear(double depth) const
-    {
-        return shareOfTailgates * tailgate(depth) + (1.0 - shareOfTailgates) * boot(depth);
-    }
+    double atRear(double depth) const { return tailgates * tailgate(depth) + boots * boot(depth); }
 };
 
 // Of an end that is seen. What a row along the side tells of one that is not hangs on its end.
-constexpr WindowDepths kSeenOfCar = {{1.45, 0.3}, {0.35, 0.22}, {0.95, 0.3}, 0.55};
-constexpr WindowDepths kUnseenOfCar = {{1.75, 0.4}, {0.5, 0.3}, {1.3, 0.4}, 0.55};
-// No van has a boot; no depth is negative.
-constexpr WindowDepths kSeenOfVan = {{0.8, 0.35}, {0.0, 0.15}, {0.0, 0.15}, 1.0};
-constexpr WindowDepths kUnseenOfVan = {{0.9, 0.35}, {0.0, 0.25}, {0.0, 0.25}, 1.0};
+constexpr WindowDepths kSeenOfCar = {{1.45, 0.3}, {0.35, 0.22}, {0.95, 0.3}, 0.55, 0.45};
+constexpr WindowDepths kUnseenOfCar = {{1.75, 0.4}, {0.5, 0.3}, {1.3, 0.4}, 0.55, 0.45};
+// No van has a boot; no depth is negative, so that all of the density lies on one side.
+constexpr WindowDepths kSeenOfVan = {{0.8, 0.35}, {0.0, 0.15}, {0.0, 0.15}, 2.0, 0.0};
+constexpr WindowDepths kUnseenOfVan = {{0.9, 0.35}, {0.0, 0.25}, {0.0, 0.25}, 2.0, 0.0};
 
 // Log odds that an end with windows as far behind it is the front of a vehicle, which is a van with
 // that probability.
