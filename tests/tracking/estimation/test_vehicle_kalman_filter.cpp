@@ -207,41 +207,36 @@ TEST(VehicleKalmanFilter, WidthSaysWhereTheCentreIsBehindOneSide)
     EXPECT_NEAR(after.mean(kY) + 0.5 * after.width, 1.0, 0.01);
 }
 
-// A front known to 0.1 m of a vehicle of uncertain length; then nothing is told along it, from
-// either end.
+// The front is known, the length is not; then nothing is told along it, from either end.
 TEST(VehicleKalmanFilter, WhatStandsKeepsThePlaceOfAnEndWhileNoneIsTold)
 {
-    constexpr double kLengthSigma = 0.5;
-    constexpr double kFrontSigma = 0.1;
-    constexpr double kUntold = 100.0;
+    constexpr double kOfLength = 0.25;  // variances, m^2
+    constexpr double kOfFront = 0.01;
+    constexpr double kUntold = 1e4;
     VehicleKalmanFilter filter{MotionOptions()};
-    VehicleState s;
+    VehicleState s = startState();
     s.mean << 10.0, 5.0, 0.0, 0.0, 0.0, 1.2, 4.5;
-    s.width = 1.8;
-    s.widthVariance = 0.01;
+    s.covariance = StateMatrix::Zero();
     s.covariance(kY, kY) = 0.01;
     s.covariance(kHeading, kHeading) = 1e-4;
-    s.covariance(kAxis, kAxis) = 0.1;
-    const double lengthVariance = kLengthSigma * kLengthSigma;
-    s.covariance(kX, kX) = kFrontSigma * kFrontSigma + 0.25 * lengthVariance;
-    s.covariance(kX, kLength) = s.covariance(kLength, kX) = -0.5 * lengthVariance;
-    s.covariance(kLength, kLength) = lengthVariance;
+    s.covariance(kX, kX) = kOfFront + 0.25 * kOfLength;
+    s.covariance(kX, kLength) = s.covariance(kLength, kX) = -0.5 * kOfLength;
+    s.covariance(kLength, kLength) = kOfLength;
     const auto frontVariance = [](const VehicleState& state) {
         return foretoldPoint(state, {1.0, 0.0}).covariance(0, 0);
     };
-    ASSERT_NEAR(frontVariance(s), kFrontSigma * kFrontSigma, 1e-12);
+    ASSERT_NEAR(frontVariance(s), kOfFront, 1e-12);
     for (const double fixed : {-1.0, 1.0, -1.0})
     {
         BoxMeasurement m;
         m.box << s.mean.head<3>(), s.mean(kLength), s.width;
         m.box.x() += 0.7;
         m.fixedPoint = {fixed, 1.0};
-        m.covariance.diagonal() << 0.5 * kUntold * kUntold, 0.01, 0.01, 2.0 * kUntold * kUntold,
-            0.01;
+        m.covariance.diagonal() << 0.5 * kUntold, 0.01, 0.01, 2.0 * kUntold, 0.01;
         s = filter.update(s, m);
         EXPECT_NEAR(s.mean.x(), 10.0, 0.01) << fixed;
-        EXPECT_LT(frontVariance(s), 1.1 * kFrontSigma * kFrontSigma) << fixed;
-        EXPECT_NEAR(s.covariance(kLength, kLength), lengthVariance, 0.01) << fixed;
+        EXPECT_LT(frontVariance(s), 1.1 * kOfFront) << fixed;
+        EXPECT_NEAR(s.covariance(kLength, kLength), kOfLength, 0.01) << fixed;
     }
 }
 

@@ -49,7 +49,7 @@ double oddsByNeighbour(double vehicle, double own, double share)
 
 // Log odds that the front of another vehicle in line lies as one's own: by its way where it was
 // seen to drive for long (what stands may seem to move for some frames), else by its shape.
-double frontOdds(const HeadingBelief& front, double vehicle)
+double frontOddsByNeighbour(const HeadingBelief& front, double vehicle)
 {
     constexpr double kSure = 1e-3;
     const double ahead = front.forwardProbabilityByCourse();
@@ -89,7 +89,7 @@ Neighbourhood::Neighbourhood(const std::vector<Track>& tracks, const Discriminat
         neighbours_.push_back({track.id, track.box(), track.misses == 0,
                                track.state.covariance(kHeading, kHeading),
                                oddsByNeighbour(vehicle, track.front.ownAxesProbability(), kAlike),
-                               frontOdds(track.front, vehicle)});
+                               frontOddsByNeighbour(track.front, vehicle)});
     }
 }
 
