@@ -272,10 +272,9 @@ VehicleState VehicleKalmanFilter::update(const VehicleState& state,
     // What stands keeps what is known of its other end where the place of that point along the box
     // is not told.
     const bool mayMove = state.covariance(kSpeed, kSpeed) > 0.0;
-    const bool isTold = covarianceAtFixedPoint(measurement)(0, 0) < kNowhere * kNowhere;
-    const VehicleState before =
-        mayMove || isTold ? withLengthApart(state, measurement.fixedPoint.x()) : state;
-    VehicleState next = engine_->updated(before, centred);
+    const bool isApart = mayMove || covarianceAtFixedPoint(measurement)(0, 0) < kNowhere * kNowhere;
+    VehicleState next = engine_->updated(
+        isApart ? withLengthApart(state, measurement.fixedPoint.x()) : state, centred);
     const double gain = state.widthVariance / (state.widthVariance + measurement.covariance(4, 4));
     next.width += gain * (measurement.box(4) - state.width);
     next.widthVariance *= 1.0 - gain;

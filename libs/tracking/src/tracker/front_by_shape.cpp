@@ -7,26 +7,27 @@
 #include <cstddef>
 #include <optional>
 
+#include "vdamf/tracking/estimation/assumed_size.h"
+
 namespace vdamf
 {
 namespace
 {
 // Heights at which windows are looked for, m above the ground, the best first.
-constexpr std::array<float, 3> kWindows = {1.2F, 1.1F, 1.0F};
+constexpr std::array<float, 3> kPaneHeights = {1.2F, 1.1F, 1.0F};
 constexpr double kLean = 1.5;         // m that windows of cars recede over a metre of height
 constexpr double kHighestCar = 1.7;   // m
 constexpr double kLowestVan = 1.9;    // m: between them it may be either
 constexpr double kLowestBus = 2.4;    // m: what is as high may be flat at both ends
-constexpr double kNarrowest = 1.3;    // m, of what is no two-wheeler
 constexpr double kWidest = 2.3;       // m, of vans
-constexpr double kBeyond = 0.5;       // m, hits before an end
+constexpr double kBeforeEnd = 0.5;    // m, hits before an end
 constexpr double kBeside = 0.2;       // m, hits beside a side
 constexpr double kDeepest = 2.6;      // m: no window of an end begins as far behind it
-constexpr double kMost = 2.5;         // log odds, of one sighting
+constexpr double kMostOfShape = 2.5;  // log odds, of one sighting
 constexpr double kUnlookedFor = 0.5;  // share of what missing hits tell
 
 // Of a depth behind an end, m.
-struct Normal
+struct DepthDensity
 {
     double mean;
     double sigma;
@@ -42,9 +43,9 @@ struct Normal
 // cars with a boot. By the simulated cars and vans; those of the labelled recordings lie alike.
 struct WindowDepths
 {
-    Normal front;
-    Normal tailgate;
-    Normal boot;
+    DepthDensity front;
+    DepthDensity tailgate;
+    DepthDensity boot;
     double tailgates;  // share of the rears
     double boots;
 
@@ -71,29 +72,29 @@ double frontOdds(double depth, bool isSeen, double van)
 }
 
 // Along a box from its centre, m, of hits at least as high as some windows.
-struct Reach
+struct PaneReach
 {
     float least = 1e9F;
     float most = -1e9F;
 };
-using Reaches = std::array<Reach, kWindows.size()>;
+using PaneReaches = std::array<PaneReach, kPaneHeights.size()>;
 
-Reaches reachesOf(const OrientedBox& box, const Cluster& hits)
+PaneReaches paneReachesOf(const OrientedBox& box, const Cluster& hits)
 {
     const Eigen::Matrix2f axes = rotation(box.heading).cast<float>();
     const Eigen::Vector2f centre = box.centre().cast<float>();
-    const auto halfLength = static_cast<float>(0.5 * box.length + kBeyond);
+    const auto halfLength = static_cast<float>(0.5 * box.length + kBeforeEnd);
     const auto halfWidth = static_cast<float>(0.5 * box.width + kBeside);
-    Reaches reaches;
+    PaneReaches reaches;
     for (std::size_t i = 0; i < hits.size(); ++i)
     {
-        if (hits.height[i] < kWindows.back()) continue;
+        if (hits.height[i] < kPaneHeights.back()) continue;
         const Eigen::Vector2f place = Eigen::Vector2f(hits.x[i], hits.y[i]) - centre;
         const float along = axes.col(0).dot(place);
         if (std::abs(along) > halfLength || std::abs(axes.col(1).dot(place)) > halfWidth) continue;
-        for (std::size_t k = 0; k < kWindows.size(); ++k)
+        for (std::size_t k = 0; k < kPaneHeights.size(); ++k)
         {
-            if (hits.height[i] < kWindows[k]) continue;
+            if (hits.height[i] < kPaneHeights[k]) continue;
             reaches[k].least = std::min(reaches[k].least, along);
             reaches[k].most = std::max(reaches[k].most, along);
         }
@@ -103,15 +104,16 @@ Reaches reachesOf(const OrientedBox& box, const Cluster& hits)
 
 // How far behind the end in the direction of `sign` along the box hits at the height of windows
 // begin, m; of lower ones, where those would.
-std::optional<double> depthOfWindows(const Reaches& reaches, const OrientedBox& box, double sign)
+std::optional<double> depthOfWindows(const PaneReaches& reaches, const OrientedBox& box,
+                                     double sign)
 {
-    for (std::size_t k = 0; k < kWindows.size(); ++k)
+    for (std::size_t k = 0; k < kPaneHeights.size(); ++k)
     {
         if (reaches[k].least > reaches[k].most) continue;
         const double reach = static_cast<double>(sign > 0.0 ? reaches[k].most : -reaches[k].least);
         const double depth = std::max(0.0, 0.5 * box.length - reach);
         if (depth > kDeepest) return std::nullopt;
-        return depth + kLean * static_cast<double>(kWindows.front() - kWindows[k]);
+        return depth + kLean * static_cast<double>(kPaneHeights.front() - kPaneHeights[k]);
     }
     return std::nullopt;
 }
@@ -120,12 +122,12 @@ std::optional<double> depthOfWindows(const Reaches& reaches, const OrientedBox& 
 double frontByShape(const Sighting& sighting, const HitsAtOneTime& seen)
 {
     const Measurement& m = sighting.measurement;
-    if (seen.hits->heights == 0 || sighting.height >= kLowestBus || m.box.width < kNarrowest ||
+    if (seen.hits->heights == 0 || sighting.height >= kLowestBus || m.box.width < kNarrowestCar ||
         m.box.width > kWidest)
         return 0.0;
     const double van =
         std::clamp((sighting.height - kHighestCar) / (kLowestVan - kHighestCar), 0.0, 1.0);
-    const Reaches reaches = reachesOf(m.box, *seen.each);
+    const PaneReaches reaches = paneReachesOf(m.box, *seen.each);
     double odds = 0.0;
     for (const Face end : {Face::Front, Face::Back})
     {
@@ -139,7 +141,7 @@ double frontByShape(const Sighting& sighting, const HitsAtOneTime& seen)
         const double front = frontOdds(*depth, isSeen, van);
         odds += sign * (isSeen || front < 0.0 ? front : kUnlookedFor * front);
     }
-    return std::clamp(odds, -kMost, kMost);
+    return std::clamp(odds, -kMostOfShape, kMostOfShape);
 }
 
 }  // namespace vdamf

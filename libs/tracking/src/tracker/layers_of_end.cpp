@@ -6,6 +6,8 @@
 #include <cmath>
 #include <optional>
 
+#include "types/box_changes.h"
+
 namespace vdamf
 {
 namespace
@@ -115,10 +117,7 @@ Measurement withTurnOfLayers(const Sighting& sighting, const HitsAtOneTime& seen
     const Eigen::Matrix2d axes = rotation(m.box.heading);
     const Eigen::Vector2d pivot = m.box.centre() + 0.5 * sign * m.box.length * axes.col(0) +
                                   middleOfOutermost(layers, slope->within) * axes.col(1);
-    const Eigen::Vector2d centre = pivot + rotation(turn) * (m.box.centre() - pivot);
-    m.box.x = centre.x();
-    m.box.y = centre.y();
-    m.box.heading = wrapAngle(m.box.heading + turn);
+    m.box = turnedAbout(pivot, turn, m.box);
     return m;
 }
 

@@ -35,11 +35,8 @@ Measurement turnedBack(const Measurement& measurement, const VehicleState& stand
     const bool isVague = known < kSure * kSure && variance > kVaguer * kVaguer * known;
     if (std::abs(turned) < kFar || std::abs(turned) > kAcross || !isVague) return measurement;
     const double back = variance / (variance + known) * turned;
-    const Eigen::Vector2d centre = hits + rotation(back) * (measurement.box.centre() - hits);
     Measurement m = measurement;
-    m.box.x = centre.x();
-    m.box.y = centre.y();
-    m.box.heading = wrapAngle(m.box.heading + back);
+    m.box = turnedAbout(hits, back, m.box);
     return m;
 }
 

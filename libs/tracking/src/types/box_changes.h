@@ -17,6 +17,16 @@ inline Vector5d byFace(const Eigen::Matrix2d& axes, int axis, int end)
     return change;
 }
 
+/// A box turned about a point, m.
+inline OrientedBox turnedAbout(const Eigen::Vector2d& point, double turn, OrientedBox box)
+{
+    const Eigen::Vector2d centre = point + rotation(turn) * (box.centre() - point);
+    box.x = centre.x();
+    box.y = centre.y();
+    box.heading = wrapAngle(box.heading + turn);
+    return box;
+}
+
 /// d box / d turn about a point; `lever` leads from there to the centre, m.
 inline Vector5d byTurn(const Eigen::Vector2d& lever)
 {
