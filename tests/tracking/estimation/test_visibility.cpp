@@ -197,6 +197,10 @@ TEST(OpenToGrowth, LetsTheLengthFollowHitsBeyondAHiddenEnd)
     vague.covariance(2, 2) = 0.05 * 0.05;
     EXPECT_EQ(openToGrowth(before, vague, true, options).covariance, before.covariance)
         << "they may lie beside it";
+    Measurement unseen = m;
+    unseen.covariance(3, 3) = 2.0;
+    EXPECT_EQ(openToGrowth(before, unseen, true, options).covariance, before.covariance)
+        << "no hits tell how long it is";
     // Hits within it say nothing.
     m.box.x = 19.6;
     EXPECT_EQ(openToGrowth(before, m, true, options).covariance, before.covariance);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vdamf/tracking/estimation/box_measurement.h"
 
+#include "estimation/fixed_point.h"
 #include "types/cholesky.h"
 
 namespace vdamf
@@ -35,11 +36,18 @@ PlacedPoint placedPoint(const Vector5d& box, const Matrix5d& covariance, const E
 BoxMeasurement withKnown(const BoxMeasurement& measurement, Eigen::Index row, double value,
                          double variance)
 {
+    const Matrix5d at = covarianceAtFixedPoint(measurement);
+    const Vector5d gain = at.col(row) / (at(row, row) + variance);
+    const Vector5d change = gain * (value - measurement.box(row));
     BoxMeasurement m = measurement;
-    const Vector5d gain =
-        measurement.covariance.col(row) / (measurement.covariance(row, row) + variance);
-    m.box += gain * (value - measurement.box(row));
-    m.covariance -= gain * measurement.covariance.row(row);
+    const auto offset = [&m](const Vector5d& box) -> Eigen::Vector2d
+    { return 0.5 * m.fixedPoint.cwiseProduct(box.tail<2>()); };
+    m.box.tail<3>() += change.tail<3>();
+    m.box.head<2>() += rotation(measurement.box(2)) * (offset(measurement.box) + change.head<2>()) -
+                       rotation(m.box(2)) * offset(m.box);
+    m.box(2) = wrapAngle(m.box(2));
+    const Matrix5d back = fromFixedPoint(m.box, m.fixedPoint);
+    m.covariance = back * (at - gain * at.row(row)) * back.transpose();
     return m;
 }
 

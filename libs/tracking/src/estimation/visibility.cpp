@@ -57,15 +57,26 @@ bool isWholeRow(const Measurement& m, int axis)
     return true;
 }
 
-// Whether hits lie beyond an end whose place is hidden: it is there at the least. Where the other
-// end is told, they do so only if they make the whole longer.
+// Of the measured place of a face, along its normal, m.
+double placeSigma(const Measurement& m, int axis, int end)
+{
+    Vector5d byBox = Vector5d::Zero();
+    byBox.head<2>() = signOfEnd(end) * rotation(m.box.heading).col(axis);
+    byBox(3 + axis) = 0.5;
+    return std::sqrt(std::max(0.0, byBox.dot(m.covariance * byBox)));
+}
+
+// Whether hits lie beyond an end whose place is hidden: it is there at the least. Where it is
+// vague, no hits show it. Where the other end is told, they do so only if they make the whole
+// longer.
 bool reachesBeyond(const Measurement& m, const VehicleState& predicted, int axis, int end,
                    bool otherIsTold, const VisibilityOptions& o)
 {
     const Face face = kFaceAt[axis][end];
     const double growth = (axis == 0 ? m.box.length : m.box.width) - predicted.size()(axis);
+    constexpr double kVague = 0.5;  // m
     return m.facesSeen.seesAlong(axis) && m.hiddenEnds.has(face) && !m.facesSeen.has(face) &&
-           (!otherIsTold || growth > o.sizeSigma) &&
+           placeSigma(m, axis, end) < kVague && (!otherIsTold || growth > o.sizeSigma) &&
            outside(m.box, predicted.box(), axis, end) > o.sizeSigma;
 }
 

@@ -23,7 +23,8 @@ struct BoxMeasurement
     double lag = 0.0;
 };
 
-/// The measurement after another source's word on one of its rows.
+/// The measurement after another source's word on one of its sizes (row 3: length, 4: width). What
+/// that tells of the heading turns the box about its fixed point.
 BoxMeasurement withKnown(const BoxMeasurement& measurement, Eigen::Index row, double value,
                          double variance);
 
