@@ -106,6 +106,35 @@ TEST(Alignment, DoesNothingWherePosesAreGood)
     EXPECT_LT(good.fastest, 0.1);
 }
 
+// Poses jump to and fro by 10 cm and 0.3 degrees; the parked cars tell it, and are behind after 3
+// s.
+TEST(Alignment, ErrorsThatNothingTellsAnyMoreAreNoSpeed)
+{
+    Tracker tracker{optionsForBoxes()};
+    std::mt19937 random(12);
+    std::normal_distribution<double> gauss;
+    double squares = 0.0;
+    int seen = 0;
+    for (int k = 0; k < 60; ++k)
+    {
+        const double time = 0.1 * k;
+        std::vector<ExampleBody> bodies{{{14.0 + kDrivingBy * time, 0.0, 0.0, 4.4, 1.8}}};
+        for (const OrientedBox& box : kParkedCars)
+            if (k < 30) bodies.push_back({box});
+        const PlaneMotion off{0.3 * kDegree * gauss(random),
+                              0.1 * Eigen::Vector2d(gauss(random), gauss(random))};
+        const LadarFrame frame =
+            exampleFrame(time, {kDrivingBy * time, 0.0}, bodies, 90 + static_cast<unsigned>(k));
+        const FrameResult found = tracker.process(withPoseOff(frame, off));
+        const TrackReport* ahead = confirmedNear(found, bodies[0].box.centre(), 3.0);
+        if (k < 32 || ahead == nullptr) continue;
+        squares += std::pow(ahead->speed - kDrivingBy, 2);
+        ++seen;
+    }
+    ASSERT_EQ(seen, 28);
+    EXPECT_LT(std::sqrt(squares / seen), 0.1) << "m/s";
+}
+
 TEST(Alignment, MovesReportsAndTellsThatTheyAreLessSure)
 {
     Alignment alignment{AlignmentOptions()};

@@ -84,7 +84,7 @@ void Alignment::goOn(const Eigen::Vector2d& by, double time)
     covariance_ = j * covariance_ * j.transpose();
 }
 
-std::optional<PlaneMotion> Alignment::motionOf(
+std::optional<EstimatedMotion> Alignment::motionOf(
     const std::vector<Track>& tracks, const std::vector<std::optional<Sighting>>& sightings,
     const VisibilityOptions& options)
 {
@@ -110,7 +110,7 @@ std::optional<PlaneMotion> Alignment::motionOf(
         change->covariance * errors_.variances().cwiseInverse().asDiagonal() * change->covariance;
     covariance_ += untold + dt_ / kInView * change->covariance;
     motion_ = motion_ * change->motion.inverse();
-    return change->motion;
+    return change;
 }
 
 TrackReport Alignment::aligned(TrackReport report, const Eigen::Vector2d& origin) const

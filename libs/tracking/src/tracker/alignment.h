@@ -26,10 +26,11 @@ public:
     void goOn(const Eigen::Vector2d& by, double time);
 
     /// What tracks have to follow in a frame, about its origin: what stands has moved so in its
-    /// axes. Nothing where the platform's poses do not err. `tracks`: predicted.
-    std::optional<PlaneMotion> motionOf(const std::vector<Track>& tracks,
-                                        const std::vector<std::optional<Sighting>>& sightings,
-                                        const VisibilityOptions& options);
+    /// axes. Nothing where the platform's poses do not err. `tracks`: predicted. The covariance is
+    /// that of the errors of all measurements of the frame together.
+    std::optional<EstimatedMotion> motionOf(const std::vector<Track>& tracks,
+                                            const std::vector<std::optional<Sighting>>& sightings,
+                                            const VisibilityOptions& options);
 
     /// From the world of the platform's poses to that of the tracks, for a frame with that origin
     /// (m).

@@ -151,12 +151,20 @@ private:
                isWhereItWas(track, frame, clusters);
     }
 
-    // Where the platform's pose errs, tracks go with it, and are told where they were.
-    void followPlatform(const std::vector<std::optional<Sighting>>& sightings)
+    // Where the platform's pose errs, tracks go with it, and are told where they were; what is not
+    // known of its error is in all that is measured.
+    void followPlatform(std::vector<std::optional<Sighting>>& sightings)
     {
-        const auto motion = alignment_.motionOf(tracks_, sightings, options_.visibility);
-        if (!motion) return;
-        for (Track& track : tracks_) track = movedBy(std::move(track), *motion);
+        const auto platform = alignment_.motionOf(tracks_, sightings, options_.visibility);
+        if (!platform) return;
+        for (Track& track : tracks_) track = movedBy(std::move(track), platform->motion);
+        for (std::optional<Sighting>& sighting : sightings)
+        {
+            if (!sighting) continue;
+            Measurement& m = sighting->measurement;
+            const Eigen::Matrix3d j = byMotion(m.box.centre());
+            m.covariance.topLeftCorner<3, 3>() += j * platform->covariance * j.transpose();
+        }
     }
 
     void updateTracks(const SegmentedFrame& frame, const FieldOfView& field,
