@@ -8,9 +8,7 @@
 #include <cmath>
 #include <random>
 
-#include "estimation/fixed_point.h"
 #include "tracking/decompositions.h"
-#include "vdamf/tracking/estimation/visibility.h"
 
 namespace vdamf
 {
@@ -37,47 +35,6 @@ BoxMeasurement measurementNear(const VehicleState& s)
     m.covariance(3, 3) = m.covariance(4, 4) = 0.04;
     m.covariance(0, 3) = m.covariance(3, 0) = 0.01;
     return m;
-}
-
-// The front and the right side of a car whose rear is hidden, with an error by which it seems the
-// wider the more it is turned to the right.
-BoxMeasurement withoutRear()
-{
-    Measurement m;
-    m.box = {10.0, 5.0, 0.3, 3.0, 1.9};
-    for (const Face face : {Face::Front, Face::Right}) m.facesSeen.add(face);
-    m.hiddenEnds.add(Face::Back);
-    m.covariance.diagonal() << 0.01, 0.01, 0.02, 0.04, 0.04;
-    m.covariance(2, 4) = m.covariance(4, 2) = -0.02;
-    const VisibilityOptions options;
-    const Eigen::Vector2d sensor(30.0, 0.0);
-    return boxThrough(m, faceErrors(m, options), {4.5, 1.8}, sensor, options);
-}
-
-TEST(WithKnown, TurnsABoxAboutItsFixedPoint)
-{
-    const BoxMeasurement before = withoutRear();
-    const BoxMeasurement after = withKnown(before, 4, 1.7, 0.01);
-    ASSERT_GT(after.box(2), before.box(2) + 0.02);
-    // A rear that nothing tells leaves the front as certain as it was.
-    const Matrix5d at = covarianceAtFixedPoint(after);
-    EXPECT_LT(at(0, 0), covarianceAtFixedPoint(before)(0, 0) + 1e-6);
-    EXPECT_NEAR(at(0, 3), 0.0, 0.01);
-    EXPECT_GT(at(3, 3), 5000.0);
-}
-
-TEST(WithKnown, TellsNothingOfALengthThatIsNotSeen)
-{
-    VehicleState state = startState();
-    state.mean.head<3>() << 10.0, 5.5, 0.2;
-    state.covariance.topLeftCorner<3, 3>().diagonal() << 0.01, 0.01, 0.001;
-    state.covariance(kLength, kLength) = 1.0;
-    state.width = 1.7;
-    state.mean(kSpeed) = state.mean(kCurvature) = 0.0;
-    state.covariance.row(kSpeed).setZero();
-    state.covariance.col(kSpeed).setZero();
-    VehicleKalmanFilter filter{MotionOptions()};
-    EXPECT_NEAR(filter.update(state, withoutRear()).mean(kLength), state.mean(kLength), 0.01);
 }
 
 TEST(VehicleKalmanFilter, EqualsTextbookFilter)
