@@ -20,9 +20,9 @@ constexpr double kBow = 0.25;         // m, the same of bumpers
 constexpr double kLeastRow = 0.3;     // m
 constexpr double kLongRow = 0.9;      // m
 constexpr double kBumper = 0.65;      // m above ground
-constexpr double kSlope = 1.0;        // m behind the end per m above the bumper,
-constexpr double kBend = 4.0;         // and the more, the higher: bonnets are flat, 1/m
-constexpr double kCarHeight = 1.75;   // m
+constexpr double kRecess = 1.0;       // m behind the end per m above the bumper,
+constexpr double kRecessBend = 4.0;   // and the more, the higher: bonnets are flat, 1/m
+constexpr double kLowVehicle = 1.75;  // m
 constexpr double kRoof = 0.5;         // m above the bumper, from which on no end begins
 constexpr double kTruckHeight = 2.2;  // m
 constexpr float kFar = 100.0F;        // m: nowhere on a vehicle
@@ -119,7 +119,7 @@ Measurement withinRowOfSide(const Sighting& sighting)
     constexpr double kWhole = 6.0;  // m, of a row that is all of a truck, open between its axles
     Measurement m = sighting.measurement;
     const FaceRow& row = sighting.side;
-    const bool isLow = sighting.height < kCarHeight;
+    const bool isLow = sighting.height < kLowVehicle;
     if (!m.facesSeen.seesSide() || m.box.length < kLong || (!isLow && row.metres < kWhole))
         return m;
     const double far = toBoxFrame(m.box, sighting.sensor).x() > 0.0 ? -1.0 : 1.0;
@@ -173,8 +173,8 @@ Measurement withRecessOfEnd(const Sighting& sighting, const HitsAtOneTime& seen)
         m.hiddenEnds.add(end);
         return m;
     }
-    const double bend = sighting.height < kCarHeight ? kBend : 0.0;
-    const double sigma = above * (kSlope + bend * above);
+    const double bend = sighting.height < kLowVehicle ? kRecessBend : 0.0;
+    const double sigma = above * (kRecess + bend * above);
     const Vector5d change =
         byFace(rotation(m.box.heading), 0, m.facesSeen.has(Face::Front) ? 1 : 0);
     m.covariance += sigma * sigma * change * change.transpose();
