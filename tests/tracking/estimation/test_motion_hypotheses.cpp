@@ -200,6 +200,17 @@ TEST(MotionHypotheses, WhatDrivesFastDoesNotStandAtOnce)
     EXPECT_GT(follower.hypotheses.standingProbability, 0.5) << "nothing is ruled out";
 }
 
+// Nothing brakes from the speed of a town to none between two frames.
+TEST(MotionHypotheses, WhatDrivesThroughATownDoesNotStandAtOnce)
+{
+    Follower follower;
+    double x = 0.0;
+    for (int k = 0; k < 40; ++k) follower.see(x += 0.6);
+    EXPECT_LT(follower.hypotheses.standingProbability, 5e-3);
+    follower.see(x - 0.6);
+    EXPECT_LT(follower.hypotheses.standingProbability, 0.5);
+}
+
 // However well it is foretold: cars that wait set off.
 TEST(MotionHypotheses, WhatStandsMaySetOffAtAnyTime)
 {

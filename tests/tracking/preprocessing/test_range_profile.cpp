@@ -18,7 +18,7 @@ struct Scan
     LadarFrame frame;
     AboveGround above;
 
-    void add(double range, double bearing, float height)
+    void add(double range, double bearing, float height, float z = 0.0F)
     {
         above.index.push_back(static_cast<std::uint32_t>(frame.points.size()));
         above.height.push_back(height);
@@ -26,7 +26,7 @@ struct Scan
             static_cast<float>(frame.sensor.x() - frame.origin.x() + range * std::cos(bearing)));
         frame.points.y.push_back(
             static_cast<float>(frame.sensor.y() - frame.origin.y() + range * std::sin(bearing)));
-        frame.points.z.push_back(0.0F);
+        frame.points.z.push_back(z);
     }
 };
 
@@ -79,6 +79,33 @@ TEST(RangeProfile, LooksOverLowHitsAndPastTheAxes)
          {1e-4, 0.5 * kPi + 1e-4, -0.5 * kPi + 1e-4, -kPi + 2e-3, kPi - 2e-3})
         EXPECT_NEAR(profile.at(bearing), 9.0, 1e-3) << bearing;
     EXPECT_TRUE(std::isinf(profile.at(0.25 * kPi)));
+}
+
+TEST(RangeProfile, LooksOverWhatIsLowerThanARay)
+{
+    Scan scan = scanFrom(0.0, 0.0);
+    const double bearing = 0.4;
+    scan.add(10.0, bearing, 1.5F, 1.5F);  // slope -0.03
+    scan.add(20.0, bearing, 2.8F, 2.8F);  // 0.05
+    scan.add(30.0, bearing, 4.2F, 4.2F);  // 0.08
+    scan.add(5.0, -bearing, 5.0F, 5.0F);  // 0.64, above all layers
+    const RangeProfile profile = rangeProfile(scan.frame, scan.above);
+    const auto at = [&](double slope) { return profile.at(bearing, slope); };
+    EXPECT_NEAR(profile.at(bearing), 10.0, 1e-3);
+    EXPECT_NEAR(at(-1.0), 10.0, 1e-3);
+    EXPECT_NEAR(at(-0.035), 10.0, 1e-3);
+    EXPECT_NEAR(at(0.0), 20.0, 1e-3);
+    EXPECT_NEAR(at(0.045), 20.0, 1e-3);
+    EXPECT_NEAR(at(0.065), 30.0, 1e-3);
+    EXPECT_TRUE(std::isinf(at(0.095)));
+    EXPECT_NEAR(profile.at(-bearing, 0.5), 5.0, 1e-3);
+    EXPECT_TRUE(std::isinf(RangeProfile{}.at(bearing, 0.0)));
+    RangeProfile blind = profile;
+    blind.nearest.assign(blind.nearest.size(), 0.0F);
+    EXPECT_EQ(blind.at(bearing, 0.095), 0.0) << "the sensor does not look there";
+    scan.frame.planar = true;
+    EXPECT_NEAR(rangeProfile(scan.frame, scan.above).at(bearing, 0.065), 10.0, 1e-3)
+        << "a level scan does not tell heights";
 }
 
 TEST(RangeProfile, HitsThatAreNotFiniteDoNotCount)

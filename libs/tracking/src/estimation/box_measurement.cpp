@@ -14,7 +14,7 @@ namespace
 PlacedPoint placedPoint(const Vector5d& box, const Matrix5d& covariance, const Eigen::Vector2d& at)
 {
     const Eigen::Matrix2d r = rotation(box(2));
-    const Eigen::Vector2d offset = 0.5 * at.cwiseProduct(box.tail<2>());
+    const Eigen::Vector2d offset = offsetOfFixedPoint(box, at);
     // Rows x and y of d point / d (heading, length, width); by the place itself it is the identity.
     Eigen::Matrix<double, 2, 3> byRest;
     byRest.col(0) = r * Eigen::Vector2d(-offset.y(), offset.x());
@@ -40,11 +40,11 @@ BoxMeasurement withKnown(const BoxMeasurement& measurement, Eigen::Index row, do
     const Vector5d gain = at.col(row) / (at(row, row) + variance);
     const Vector5d change = gain * (value - measurement.box(row));
     BoxMeasurement m = measurement;
-    const auto offset = [&m](const Vector5d& box) -> Eigen::Vector2d
-    { return 0.5 * m.fixedPoint.cwiseProduct(box.tail<2>()); };
     m.box.tail<3>() += change.tail<3>();
-    m.box.head<2>() += rotation(measurement.box(2)) * (offset(measurement.box) + change.head<2>()) -
-                       rotation(m.box(2)) * offset(m.box);
+    const Eigen::Vector2d before = offsetOfFixedPoint(measurement.box, m.fixedPoint);
+    const Eigen::Vector2d after = offsetOfFixedPoint(m.box, m.fixedPoint);
+    m.box.head<2>() +=
+        rotation(measurement.box(2)) * (before + change.head<2>()) - rotation(m.box(2)) * after;
     m.box(2) = wrapAngle(m.box(2));
     const Matrix5d back = fromFixedPoint(m.box, m.fixedPoint);
     m.covariance = back * (at - gain * at.row(row)) * back.transpose();

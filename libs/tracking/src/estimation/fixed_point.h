@@ -10,10 +10,16 @@
 
 namespace vdamf
 {
+/// From the centre to the fixed point, along and across the box, m.
+inline Eigen::Vector2d offsetOfFixedPoint(const Vector5d& box, const Eigen::Vector2d& fixedPoint)
+{
+    return 0.5 * fixedPoint.cwiseProduct(box.tail<2>());
+}
+
 /// d (fixed point along and across, heading, length, width) / d (x, y, heading, length, width).
 inline Matrix5d toFixedPoint(const Vector5d& box, const Eigen::Vector2d& fixedPoint)
 {
-    const Eigen::Vector2d offset = 0.5 * fixedPoint.cwiseProduct(box.tail<2>());
+    const Eigen::Vector2d offset = offsetOfFixedPoint(box, fixedPoint);
     Matrix5d j = Matrix5d::Identity();
     j.topLeftCorner<2, 2>() = rotation(-box(2));
     j.block<2, 1>(0, 2) = Eigen::Vector2d(-offset.y(), offset.x());

@@ -12,34 +12,56 @@ constexpr double kBeyond = 0.6;      // m past an end, where the ray goes that w
 constexpr double kFreeRange = 0.4;   // m by which that ray goes on where nothing is in its way
 constexpr double kBeamStep = 0.004;  // rad between hits, about, of spinning LADARs
 constexpr double kWidestStep = 0.7;  // m between hits of a row whose end can be told
+
+// Of the rows along the faces seen: those that no face seen closes.
+template <class Visitor>
+void forEachEnd(FaceSet seen, Visitor&& visit)
+{
+    for (int axis = 0; axis < 2; ++axis)
+        for (int end = 0; end < 2 && seen.seesAlong(axis); ++end)
+            if (!seen.has(kFaceAt[axis][end])) visit(axis, end);
+}
 }  // namespace
+
+Eigen::Vector2d placePastEnd(const OrientedBox& box, const Eigen::Vector2d& sensor, int axis,
+                             int end, double metres)
+{
+    const Eigen::Vector2d view = toBoxFrame(box, sensor);
+    const Eigen::Vector2d half(0.5 * box.length, 0.5 * box.width);
+    Eigen::Vector2d past;  // in the box frame
+    past(axis) = signOfEnd(end) * (half(axis) + metres);
+    past(1 - axis) = std::copysign(half(1 - axis), view(1 - axis));
+    return box.centre() + rotation(box.heading) * past;
+}
+
+FaceSet grazedEnds(const OrientedBox& box, FaceSet seen, const Eigen::Vector2d& sensor)
+{
+    FaceSet grazed;
+    forEachEnd(
+        seen,
+        [&](int axis, int end)
+        {
+            const Eigen::Vector2d ray = placePastEnd(box, sensor, axis, end, kBeyond) - sensor;
+            const double range = ray.norm();
+            const double sine = std::abs(ray.dot(rotation(box.heading).col(1 - axis))) / range;
+            if (kBeamStep * range > kWidestStep * sine) grazed.add(kFaceAt[axis][end]);
+        });
+    return grazed;
+}
 
 FaceSet hiddenEnds(const OrientedBox& box, FaceSet seen, const Eigen::Vector2d& sensor,
                    const RangeProfile& profile)
 {
-    const Eigen::Vector2d view = toBoxFrame(box, sensor);
-    const Eigen::Vector2d half(0.5 * box.length, 0.5 * box.width);
-    const Eigen::Matrix2d r = rotation(box.heading);
-    FaceSet hidden;
-    for (int axis = 0; axis < 2; ++axis)
-    {
-        if (!seen.seesAlong(axis)) continue;
-        for (int end = 0; end < 2; ++end)
-        {
-            if (seen.has(kFaceAt[axis][end])) continue;
-            Eigen::Vector2d past;  // in the box frame
-            past(axis) = signOfEnd(end) * (half(axis) + kBeyond);
-            past(1 - axis) = std::copysign(half(1 - axis), view(1 - axis));
-            const Eigen::Vector2d ray = past - view;
-            const Eigen::Vector2d inWorld = r * ray;
-            const double range = ray.norm();
-            const double grazing = std::abs(ray(1 - axis)) / range;  // sine
-            // What it hits may hide the rest of the face, or be the rest of it.
-            const double reached = profile.at(std::atan2(inWorld.y(), inWorld.x()));
-            if (reached < range + kFreeRange || kBeamStep * range > kWidestStep * grazing)
-                hidden.add(kFaceAt[axis][end]);
-        }
-    }
+    FaceSet hidden = grazedEnds(box, seen, sensor);
+    forEachEnd(seen,
+               [&](int axis, int end)
+               {
+                   const Eigen::Vector2d ray =
+                       placePastEnd(box, sensor, axis, end, kBeyond) - sensor;
+                   // What it hits may hide the rest of the face, or be the rest of it.
+                   if (profile.at(std::atan2(ray.y(), ray.x())) < ray.norm() + kFreeRange)
+                       hidden.add(kFaceAt[axis][end]);
+               });
     return hidden;
 }
 

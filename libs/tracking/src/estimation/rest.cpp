@@ -29,13 +29,14 @@ VehicleState standingLater(const VehicleState& state, double dt, const MotionOpt
 
 double restProbability(const VehicleState& moving)
 {
-    constexpr double kPace = 2.5;  // m/s, from which vehicles come to stand
+    constexpr double kPace = 2.5;      // m/s, from which vehicles come to stand
+    constexpr double kBraking = 1.75;  // m/s, that they lose before it shows
     const double speed = moving.mean(kSpeed);
     const double speedVariance = moving.covariance(kSpeed, kSpeed);
     // Of those that are known to be hardly faster than nothing few drive at just that speed.
     const double slow = 1.0 / (1.0 + std::hypot(speed, std::sqrt(speedVariance)) / kPace);
     if (slow > 0.5) return slow;
-    return 0.5 * std::exp(-0.5 * speed * speed / (kPace * kPace + speedVariance));
+    return 0.5 * std::exp(-0.5 * speed * speed / (kBraking * kBraking + speedVariance));
 }
 
 }  // namespace vdamf

@@ -17,20 +17,22 @@ namespace
 constexpr int kProfileSectors = 720;
 constexpr float kHidingHeight = 0.6F;  // m
 
-// Squared range and sector of some of the hits above ground. Cells' bearings need be no better
-// than a thousandth of a sector.
+constexpr int kProfileLayers = static_cast<int>(RangeProfile::kLayers);
+
+// Squared range and place in the profile of some of the hits above ground. Cells' bearings need be
+// no better than a thousandth of a sector.
 struct LocatedBlock
 {
     static constexpr std::size_t kSize = 512;
     std::array<float, kSize> squaredRange;
-    std::array<std::uint16_t, kSize> sector;
+    std::array<std::uint16_t, kSize> place;  // layer by layer
 
     void locate(const PointCloud& points, const std::uint32_t* index, const float* height,
-                std::size_t size, const Eigen::Vector2f& sensor)
+                std::size_t size, const Eigen::Vector3f& sensor)
     {
         inWideLanes([
-            =, px = points.x.data(), py = points.y.data(), sx = sensor.x(), sy = sensor.y(),
-            squares = squaredRange.data(), sectors = sector.data()
+            =, px = points.x.data(), py = points.y.data(), pz = points.z.data(), sx = sensor.x(),
+            sy = sensor.y(), sz = sensor.z(), squares = squaredRange.data(), places = place.data()
         ]() __attribute__((always_inline)) {
             VDAMF_INDEPENDENT_LANES
             for (std::size_t i = 0; i < size; ++i)
@@ -42,8 +44,14 @@ struct LocatedBlock
                 // From bearing -pi on: of the opposite direction from 0 on.
                 const float turn = hides ? turns(-dx, -dy, FineArc()) : 0.0F;
                 const int at = static_cast<int>(turn * kProfileSectors);
-                sectors[i] =
-                    static_cast<std::uint16_t>(at < kProfileSectors ? at : kProfileSectors - 1);
+                const int sector = at < kProfileSectors ? at : kProfileSectors - 1;
+                const float slope = (pz[index[i]] - sz) / std::sqrt(square + 1e-6F);
+                const float up = (slope - static_cast<float>(RangeProfile::kLowestLayer)) /
+                                 static_cast<float>(RangeProfile::kLayer);
+                const float bounded =
+                    up > 0.0F ? (up < kProfileLayers - 1 ? up : kProfileLayers - 1) : 0.0F;
+                const int layer = static_cast<int>(bounded);
+                places[i] = static_cast<std::uint16_t>(layer * kProfileSectors + sector);
                 squares[i] = hides ? square : std::numeric_limits<float>::infinity();
             }
         });
@@ -73,8 +81,9 @@ double lowestSlope(const LadarFrame& frame)
 RangeProfile rangeProfile(const LadarFrame& frame, const AboveGround& aboveGround)
 {
     RangeProfile profile;
-    profile.nearest.assign(kProfileSectors, std::numeric_limits<float>::infinity());
-    const Eigen::Vector2f sensor = (frame.sensor - frame.origin).head<2>().cast<float>();
+    std::vector<float>& above = profile.nearestAbove;
+    above.assign(kProfileSectors * kProfileLayers, std::numeric_limits<float>::infinity());
+    const Eigen::Vector3f sensor = (frame.sensor - frame.origin).cast<float>();
     LocatedBlock block;
     for (std::size_t begin = 0; begin < aboveGround.index.size(); begin += LocatedBlock::kSize)
     {
@@ -83,11 +92,15 @@ RangeProfile rangeProfile(const LadarFrame& frame, const AboveGround& aboveGroun
                      sensor);
         for (std::size_t i = 0; i < size; ++i)
         {
-            float& nearest = profile.nearest[block.sector[i]];
+            float& nearest = above[block.place[i]];
             nearest = std::min(nearest, block.squaredRange[i]);
         }
     }
-    for (float& nearest : profile.nearest) nearest = std::sqrt(nearest);
+    for (float& nearest : above) nearest = std::sqrt(nearest);
+    for (std::size_t k = above.size() - kProfileSectors; k-- > 0;)
+        above[k] = std::min(above[k], above[k + kProfileSectors]);
+    profile.nearest.assign(above.begin(), above.begin() + kProfileSectors);
+    if (frame.planar) above.clear();
     profile.lowestSlope = lowestSlope(frame);
     return profile;
 }

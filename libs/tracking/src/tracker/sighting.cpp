@@ -9,13 +9,13 @@
 #include <utility>
 
 #include "tracker/closed_end.h"
+#include "tracker/ends_in_view.h"
 #include "tracker/front_by_shape.h"
 #include "tracker/layers_of_end.h"
 #include "tracker/partial_faces.h"
 #include "types/hit_bounds.h"
 #include "types/lanes.h"
 #include "types/wide_lanes.h"
-#include "vdamf/tracking/estimation/occlusion.h"
 
 namespace vdamf
 {
@@ -210,23 +210,23 @@ Sighting sightingOf(const SegmentedFrame& frame, const std::vector<std::size_t>&
     s.areParts = seen.areParts;
     s.measurement = measureTarget(*seen.hits, sensor, start, options, knownLengthWidth, effort);
     Measurement& m = s.measurement;
-    m.hiddenEnds = hiddenEnds(m.box, m.facesSeen, sensor, frame.profile);
-    s.around = rectangleAround(*seen.hits, m.box.heading);
-    s.end = rowAlongFace(*seen.hits, m.box, sensor, 0);
-    s.side = rowAlongFace(*seen.hits, m.box, sensor, 1);
-    if (seen.goesOn) m = goingOnTowards(m, *seen.goesOn);
-
     double ground = 0.0;
     double count = 0.0;
     for (const std::size_t k : clusters)
     {
         const Cluster& cluster = frame.clusters[k];
         ground += groundSum(cluster);
-        count += static_cast<double>(cluster.size());
         s.height = std::max(s.height, heightOf(cluster));
+        count += static_cast<double>(cluster.size());
     }
     s.overHits = likelyOver(seen.hits->heights);
     s.groundZ = count > 0.0 ? ground / count : 0.0;
+    m = withEndsOutOfView(s, frame);
+    s.around = rectangleAround(*seen.hits, m.box.heading);
+    s.end = rowAlongFace(*seen.hits, m.box, sensor, 0);
+    s.side = rowAlongFace(*seen.hits, m.box, sensor, 1);
+    if (seen.goesOn) m = goingOnTowards(m, *seen.goesOn);
+
     m = withoutEndsBelowView(s, frame);
     m = withoutEndOfShortSide(s);
     m = withinRowOfSide(s);

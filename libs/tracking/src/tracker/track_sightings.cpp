@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tracker/ends_in_view.h"
 #include "tracker/existence.h"
 #include "tracker/faceless.h"
 #include "tracker/length_of_end.h"
@@ -214,7 +215,9 @@ Track sightedTrack(Track track, const Sighting& sighting, const Neighbourhood& a
     const VisibilityOptions& visibility = options.visibility;
     Measurement m = alignedWith(sighting.measurement,
                                 stateAt(track.state, sighting.lag, options.motion).mean(kHeading));
-    if (stands(track)) m = turnedBack(m, track.state, sighting.around.centre());
+    m = stands(track)
+            ? turnedBack(m, track.state, sighting.around.centre())
+            : withoutShortUpperEnds(m, stateAt(track.state, sighting.lag, options.motion).box());
     track.measurement = m;
     track.hits = m.hits;
     track.areParts = sighting.areParts;

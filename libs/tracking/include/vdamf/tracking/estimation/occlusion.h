@@ -15,6 +15,14 @@ namespace vdamf
 FaceSet hiddenEnds(const OrientedBox& box, FaceSet seen, const Eigen::Vector2d& sensor,
                    const RangeProfile& profile);
 
+/// Those of them that are hidden by the grazing angle alone.
+FaceSet grazedEnds(const OrientedBox& box, FaceSet seen, const Eigen::Vector2d& sensor);
+
+/// Where the face beside an end of an axis (0: length, 1: width; low or high) would go on, so many
+/// metres past that end. In the frame of the box, m.
+Eigen::Vector2d placePastEnd(const OrientedBox& box, const Eigen::Vector2d& sensor, int axis,
+                             int end, double metres);
+
 /// Front and rear of a box that lie so near to the sensor that its lowest ray passes above bonnets
 /// and boots: what is seen of them is a windscreen, and rows along the side end there.
 /// `sensorHeight`: over the ground that the vehicle stands on, m.

@@ -2,6 +2,7 @@
 // What stands where around the sensor: the nearest hit by bearing; and how far down it looks.
 #pragma once
 
+#include <cstddef>
 #include <limits>
 #include <vector>
 
@@ -12,11 +13,20 @@ namespace vdamf
 struct RangeProfile
 {
     std::vector<float> nearest;  ///< m
+    /// The same of hits that are seen at or above each of some slopes (rise over run from the
+    /// sensor), from the lowest one, one slope after the other; empty where heights are not known.
+    std::vector<float> nearestAbove;  ///< m
     /// Of the lowest ray, rise over run: what is near is seen above it only.
     double lowestSlope = -std::numeric_limits<double>::infinity();
 
     /// In the sector of a bearing (rad, any turn); infinite for an empty profile.
     double at(double bearing) const;
+    /// Of what a ray of that slope meets, or passes below.
+    double at(double bearing, double slope) const;
+
+    static constexpr double kLowestLayer = -0.1;  ///< slope
+    static constexpr double kLayer = 0.01;        ///< slope
+    static constexpr std::size_t kLayers = 40;
 };
 
 }  // namespace vdamf

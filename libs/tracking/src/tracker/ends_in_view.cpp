@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tracker/ends_in_view.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "tracker/discriminate.h"
+#include "types/box_changes.h"
+#include "vdamf/tracking/estimation/occlusion.h"
+
+namespace vdamf
+{
+namespace
+{
+constexpr double kNear = 1.6;      // m, from the place just past an end
+constexpr double kCab = 2.4;       // m: what a truck carries may be higher than its cab
+constexpr double kLevel = 0.004;   // rise over run by which hits of one row differ
+constexpr std::size_t kInRow = 3;  // hits that make one
+
+// Rise over run from the sensor of the hits near a place, rising.
+std::vector<double> slopesNear(const Eigen::Vector2d& place, const Sighting& sighting,
+                               const SegmentedFrame& frame)
+{
+    std::vector<double> slopes;
+    for (const std::size_t k : sighting.clusters)
+    {
+        const Cluster& cluster = frame.clusters[k];
+        for (std::size_t i = 0; i < cluster.size(); ++i)
+        {
+            const Eigen::Vector2d hit(cluster.x[i], cluster.y[i]);
+            if ((hit - place).squaredNorm() < kNear * kNear)
+                slopes.push_back((cluster.z[i] - frame.sensorZ) / (hit - frame.sensor).norm());
+        }
+    }
+    std::sort(slopes.begin(), slopes.end());
+    return slopes;
+}
+
+// By the rays past an end.
+enum class PastEnd
+{
+    Open,     // down to where cabs are
+    Upper,    // over what hides the rest
+    Blocked,  // or the face goes on
+};
+
+// `slopes`: of the hits near the end, rising.
+PastEnd viewPast(const Eigen::Vector2d& place, const std::vector<double>& slopes,
+                 const Sighting& sighting, const SegmentedFrame& frame)
+{
+    constexpr double kFree = 0.4;    // m by which rays go on where nothing is in their way
+    constexpr double kNearer = 0.6;  // m: what is less so is the rest of the face
+    if (slopes.size() < kInRow) return PastEnd::Blocked;
+    const Eigen::Vector2d ray = place - frame.sensor;
+    const double range = ray.norm();
+    const double bearing = std::atan2(ray.y(), ray.x());
+    double free = std::numeric_limits<double>::infinity();
+    for (double slope = slopes[slopes.size() - kInRow] - kLevel; slope > RangeProfile::kLowestLayer;
+         slope -= RangeProfile::kLayer)
+    {
+        const double reached = frame.profile.at(bearing, slope);
+        if (reached < range - kNearer) break;
+        if (reached < range + kFree) return PastEnd::Blocked;
+        free = slope;
+    }
+    // Rays are where hits are.
+    const auto lowest = std::lower_bound(slopes.begin(), slopes.end(), free);
+    if (slopes.end() - lowest < static_cast<std::ptrdiff_t>(kInRow)) return PastEnd::Blocked;
+    const double height = frame.sensorZ + lowest[kInRow - 1] * range - sighting.groundZ;
+    return height > kCab ? PastEnd::Upper : PastEnd::Open;
+}
+}  // namespace
+
+Measurement withEndsOutOfView(const Sighting& sighting, const SegmentedFrame& frame)
+{
+    constexpr double kPast[] = {0.6, 1.1, 1.6};  // m
+    constexpr double kUpperSigma = 1.0;          // m
+    Measurement m = sighting.measurement;
+    m.hiddenEnds = hiddenEnds(m.box, m.facesSeen, frame.sensor, frame.profile);
+    if (sighting.height < kLowestTruck || m.hiddenEnds.empty()) return m;
+    const FaceSet grazed = grazedEnds(m.box, m.facesSeen, frame.sensor);
+    for (int axis = 0; axis < 2; ++axis)
+        for (int end = 0; end < 2; ++end)
+        {
+            const Face face = kFaceAt[axis][end];
+            if (!m.hiddenEnds.has(face) || grazed.has(face)) continue;
+            const auto past = [&](double metres)
+            { return placePastEnd(m.box, frame.sensor, axis, end, metres); };
+            const std::vector<double> slopes = slopesNear(past(kPast[0]), sighting, frame);
+            PastEnd worst = PastEnd::Open;
+            for (const double metres : kPast)
+                worst = std::max(worst, viewPast(past(metres), slopes, sighting, frame));
+            if (worst == PastEnd::Blocked) continue;
+            m.hiddenEnds.remove(face);
+            if (worst == PastEnd::Open) continue;
+            m.upperEnds.add(face);
+            const Vector5d change = byFace(rotation(m.box.heading), axis, end);
+            m.covariance += kUpperSigma * kUpperSigma * change * change.transpose();
+        }
+    return m;
+}
+
+Measurement withoutShortUpperEnds(const Measurement& measurement, const OrientedBox& foretold)
+{
+    constexpr double kShort = 0.8;  // m
+    Measurement m = measurement;
+    for (int end = 0; end < 2; ++end)
+    {
+        const Face face = kFaceAt[0][end];
+        if (!m.upperEnds.has(face)) continue;
+        const double sign = signOfEnd(end);
+        const Eigen::Vector2d place =
+            m.box.centre() + 0.5 * sign * m.box.length * rotation(m.box.heading).col(0);
+        if (sign * toBoxFrame(foretold, place).x() < 0.5 * foretold.length - kShort)
+            m.hiddenEnds.add(face);
+    }
+    return m;
+}
+
+}  // namespace vdamf

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Which ends of a target are hidden: what is tall is seen over what is lower.
+#pragma once
+
+#include "tracker/sighting.h"
+
+namespace vdamf
+{
+/// The measurement with the ends whose place the frame does not show (estimation/occlusion.h).
+///
+/// Trucks and buses are seen over what is lower than they are. Where nothing is in the way of the
+/// rays past an end from the highest row of hits there down to the height of cabs, and the face
+/// does not go on, that end is told. Where the rays are free higher up alone, it may be the end of
+/// what a truck carries: it is told to a metre, as one of the upper ends.
+Measurement withEndsOutOfView(const Sighting& sighting, const SegmentedFrame& frame);
+
+/// Without those of the upper ends that lie well inside of the box foretold: there a cab goes on.
+Measurement withoutShortUpperEnds(const Measurement& measurement, const OrientedBox& foretold);
+
+}  // namespace vdamf
