@@ -32,6 +32,22 @@ TEST(LocatedFaces, AreTheEndsOfRowsToo)
     EXPECT_EQ(toString(locatedFaces(m)), "BLR");
 }
 
+TEST(LocatedFaces, OfUpperPartsTellNoSize)
+{
+    Measurement m;
+    m.facesSeen.add(Face::Left);
+    m.upperEnds.add(Face::Front);
+    EXPECT_EQ(toString(locatedFaces(m)), "FBL");
+    EXPECT_FALSE(locatesLength(m));
+    m.upperEnds = FaceSet();
+    EXPECT_TRUE(locatesLength(m));
+    m.facesSeen.add(Face::Back);
+    EXPECT_TRUE(locatesWidth(m));
+    m.upperEnds.add(Face::Right);
+    EXPECT_FALSE(locatesWidth(m));
+    EXPECT_TRUE(locatesLength(m));
+}
+
 TEST(BoxThrough, KeepsTheFaceThatIsToldWhereTheOtherIsNot)
 {
     // The rear is seen; of the length nothing is.

@@ -93,8 +93,17 @@ TEST(EndsInView, ABusIsSeenOverCarsThatQueueBeforeIt)
 
 TEST(EndsInView, ACarIsNot)
 {
-    const SceneOfPanels scene({{20.0, -2.2, 2.2, 0.4, 2.1}, {10.0, -9.0, 9.0, 0.2, 1.5}});
+    const SceneOfPanels scene({{20.0, -2.2, 2.2, 0.4, 1.7}, {10.0, -9.0, 9.0, 0.2, 1.2}});
     EXPECT_EQ(toString(scene.measured().hiddenEnds), "FB") << "its roof ends before its bonnet";
+}
+
+TEST(EndsInView, AVanIsToAMetre)
+{
+    const SceneOfPanels scene({{20.0, -2.7, 2.7, 0.4, 2.1}, {10.0, -9.0, 9.0, 0.2, 1.2}});
+    const Measurement m = scene.measured();
+    EXPECT_EQ(toString(m.hiddenEnds), "");
+    EXPECT_EQ(toString(m.upperEnds), "FB") << "its windscreen may recede";
+    EXPECT_NEAR(varianceOfFront(m), varianceOfFront(scene.sighting.measurement) + 1.0, 1e-9);
 }
 
 TEST(EndsInView, WhatIsHigherThanItHidesAnEnd)

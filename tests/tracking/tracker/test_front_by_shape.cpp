@@ -98,6 +98,9 @@ TEST(FrontByShape, TellsNothingWhereThereIsNothingToSee)
     Sighting hidden = heldForRear(kBoxWidth, 1.5);
     hidden.measurement.hiddenEnds.add(Face::Back);
     EXPECT_EQ(frontByShape(hidden, endWithWindows(0.1, 1.5)), 0.0) << "where the end lies";
+    Sighting upper = heldForRear(kBoxWidth, 1.5);
+    upper.measurement.upperEnds.add(Face::Back);
+    EXPECT_EQ(frontByShape(upper, endWithWindows(0.1, 1.5)), 0.0) << "how far it goes on below";
     HitsAtOneTime level = endWithWindows(0.1, 1.5);
     Hits planar = *level.hits;
     planar.heights = 0;

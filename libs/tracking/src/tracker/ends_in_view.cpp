@@ -14,10 +14,11 @@ namespace vdamf
 {
 namespace
 {
-constexpr double kNear = 1.6;      // m, from the place just past an end
-constexpr double kCab = 2.4;       // m: what a truck carries may be higher than its cab
-constexpr double kLevel = 0.004;   // rise over run by which hits of one row differ
-constexpr std::size_t kInRow = 3;  // hits that make one
+constexpr double kNear = 1.6;        // m, from the place just past an end
+constexpr double kLowestVan = 1.85;  // m
+constexpr double kCab = 2.4;         // m: what a truck carries may be higher than its cab
+constexpr double kLevel = 0.004;     // rise over run by which hits of one row differ
+constexpr std::size_t kInRow = 3;    // hits that make one
 
 // Rise over run from the sensor of the hits near a place, rising.
 std::vector<double> slopesNear(const Eigen::Vector2d& place, const Sighting& sighting,
@@ -79,9 +80,11 @@ Measurement withEndsOutOfView(const Sighting& sighting, const SegmentedFrame& fr
     constexpr double kUpperSigma = 1.0;          // m
     Measurement m = sighting.measurement;
     m.hiddenEnds = hiddenEnds(m.box, m.facesSeen, frame.sensor, frame.profile);
-    if (sighting.height < kLowestTruck || m.hiddenEnds.empty()) return m;
+    if (sighting.height < kLowestVan || m.hiddenEnds.empty()) return m;
+    const bool isTruck = sighting.height >= kLowestTruck;
     const FaceSet grazed = grazedEnds(m.box, m.facesSeen, frame.sensor);
-    for (int axis = 0; axis < 2; ++axis)
+    // Of a van no more than its length: beside its windscreen its sides recede.
+    for (int axis = 0; axis < (isTruck ? 2 : 1); ++axis)
         for (int end = 0; end < 2; ++end)
         {
             const Face face = kFaceAt[axis][end];
@@ -94,7 +97,7 @@ Measurement withEndsOutOfView(const Sighting& sighting, const SegmentedFrame& fr
                 worst = std::max(worst, viewPast(past(metres), slopes, sighting, frame));
             if (worst == PastEnd::Blocked) continue;
             m.hiddenEnds.remove(face);
-            if (worst == PastEnd::Open) continue;
+            if (isTruck && worst == PastEnd::Open) continue;
             m.upperEnds.add(face);
             const Vector5d change = byFace(rotation(m.box.heading), axis, end);
             m.covariance += kUpperSigma * kUpperSigma * change * change.transpose();

@@ -132,7 +132,8 @@ double frontByShape(const Sighting& sighting, const HitsAtOneTime& seen)
     for (const Face end : {Face::Front, Face::Back})
     {
         const bool isSeen = m.facesSeen.has(end);
-        if (m.hiddenEnds.has(end) || !(isSeen || m.facesSeen.seesSide())) continue;
+        const bool isInView = !m.hiddenEnds.has(end) && !m.upperEnds.has(end);
+        if (!isInView || !(isSeen || m.facesSeen.seesSide())) continue;
         const double sign = end == Face::Front ? 1.0 : -1.0;
         const auto depth = depthOfWindows(reaches, m.box, sign);
         if (!depth) continue;

@@ -79,14 +79,14 @@ struct VisibilityOptions
 
 /// Whether a measurement locates both ends of the vehicle's length or width: the ends of a face
 /// seen are where its hits end, so a side tells the length and an end the width, unless something
-/// hides an end.
+/// hides an end, or all but its upper part, which may recede.
 inline bool locatesLength(const Measurement& m)
 {
-    return m.facesSeen.seesSide() && !m.hiddenEnds.seesEnd();
+    return m.facesSeen.seesSide() && !m.hiddenEnds.seesEnd() && !m.upperEnds.seesEnd();
 }
 inline bool locatesWidth(const Measurement& m)
 {
-    return m.facesSeen.seesEnd() && !m.hiddenEnds.seesSide();
+    return m.facesSeen.seesEnd() && !m.hiddenEnds.seesSide() && !m.upperEnds.seesSide();
 }
 
 /// Where on the box the point nearest to the sensor lies: +-1 at the faces, 0 in the middle, along

@@ -21,7 +21,7 @@ struct Measurement
     bool converged = false;
     FaceSet facesSeen;   ///< faces towards the sensor with enough hits on them
     FaceSet hiddenEnds;  ///< faces whose place the frame does not show
-    FaceSet upperEnds;   ///< faces of which it shows no more than what is higher than a cab
+    FaceSet upperEnds;   ///< faces of which it shows the upper part alone, which may recede
 };
 
 }  // namespace vdamf
