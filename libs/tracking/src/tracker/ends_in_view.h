@@ -8,13 +8,15 @@ namespace vdamf
 {
 /// The measurement with the ends whose place the frame does not show (estimation/occlusion.h).
 ///
-/// Trucks and buses are seen over what is lower than they are. Where nothing is in the way of the
-/// rays past an end from the highest row of hits there down to the height of cabs, and the face
-/// does not go on, that end is told. Where the rays are free higher up alone, it may be the end of
-/// what a truck carries: it is told to a metre, as one of the upper ends.
+/// Trucks and buses (from 2.2 m) are seen over what is lower than they are. Where nothing is in the
+/// way of the rays past an end from the highest row of hits there down to the height of cabs, and
+/// the face does not go on, that end is told. Where the rays are free higher up alone, it may be
+/// the end of what a truck carries: it is told to a metre, as one of the upper ends. So are those
+/// of vans (from 1.85 m), whose windscreens lie behind their bumpers. Upper ends tell no size.
 Measurement withEndsOutOfView(const Sighting& sighting, const SegmentedFrame& frame);
 
-/// Without those of the upper ends that lie well inside of the box foretold: there a cab goes on.
+/// With those of the upper ends hidden that lie well inside of the box foretold: there a cab or a
+/// bonnet goes on.
 Measurement withoutShortUpperEnds(const Measurement& measurement, const OrientedBox& foretold);
 
 }  // namespace vdamf

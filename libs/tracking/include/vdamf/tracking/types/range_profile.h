@@ -21,11 +21,12 @@ struct RangeProfile
 
     /// In the sector of a bearing (rad, any turn); infinite for an empty profile.
     double at(double bearing) const;
-    /// Of what a ray of that slope meets, or passes below.
+    /// Of what a ray of that slope (rise over run) meets, or passes below; of all hits where
+    /// heights are not known.
     double at(double bearing, double slope) const;
 
-    static constexpr double kLowestLayer = -0.1;  ///< slope
-    static constexpr double kLayer = 0.01;        ///< slope
+    static constexpr double kLowestLayer = -0.1;  ///< rise over run
+    static constexpr double kLayer = 0.01;        ///< from one to the next
     static constexpr std::size_t kLayers = 40;
 };
 
