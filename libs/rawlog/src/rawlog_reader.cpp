@@ -20,8 +20,10 @@ namespace
 {
 // A file that has no object this near to its start is not a rawlog.
 constexpr std::size_t kNearStart = 1 << 20;
-// Bytes that belong to nothing are handed on in pieces, so that memory stays bounded.
+// Bytes that belong to nothing are handed on in pieces, so that memory stays bounded: the first one
+// may be an unknown object; those behind it are small enough for their memory to be used again.
 constexpr std::size_t kLargestGap = 64 << 20;
+constexpr std::size_t kPieceOfGap = 16 << 20;
 // Where so many bytes hold no object, none follows: a sparse file may claim to have any size.
 constexpr std::uint64_t kEndlessGap = std::uint64_t{1} << 30;
 constexpr std::size_t kProblemsKept = 20;
@@ -223,9 +225,10 @@ struct RawlogReader::Impl
     /// What cannot be read, up to where reading can go on.
     RawlogEntry skip(RawlogEntry::Kind kind, std::string problem, const std::string& className = {})
     {
-        const std::size_t bytes = findEntry(window, 1, kLargestGap, className);
+        const std::size_t most = inGap ? kPieceOfGap : kLargestGap;
+        const std::size_t bytes = findEntry(window, 1, most, className);
         RawlogEntry entry = take(kind, bytes, std::move(problem));
-        inGap = bytes == kLargestGap && window.require(1) && !beginsHere();
+        inGap = bytes == most && window.require(1) && !beginsHere();
         gapBytes = inGap ? gapBytes + bytes : 0;
         return entry;
     }
