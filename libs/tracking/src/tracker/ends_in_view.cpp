@@ -14,11 +14,11 @@ namespace vdamf
 {
 namespace
 {
-constexpr double kNear = 1.6;        // m, from the place just past an end
-constexpr double kLowestVan = 1.85;  // m
-constexpr double kCab = 2.4;         // m: what a truck carries may be higher than its cab
-constexpr double kLevel = 0.004;     // rise over run by which hits of one row differ
-constexpr std::size_t kInRow = 3;    // hits that make one
+constexpr double kNearEnd = 1.6;          // m, from the place just past an end
+constexpr double kLowestSeenOver = 1.85;  // m
+constexpr double kCab = 2.4;              // m: what a truck carries may be higher than its cab
+constexpr double kLevel = 0.004;          // rise over run by which hits of one row differ
+constexpr std::size_t kInRow = 3;         // hits that make one
 
 // Rise over run from the sensor of the hits near a place, rising.
 std::vector<double> slopesNear(const Eigen::Vector2d& place, const Sighting& sighting,
@@ -31,7 +31,7 @@ std::vector<double> slopesNear(const Eigen::Vector2d& place, const Sighting& sig
         for (std::size_t i = 0; i < cluster.size(); ++i)
         {
             const Eigen::Vector2d hit(cluster.x[i], cluster.y[i]);
-            if ((hit - place).squaredNorm() < kNear * kNear)
+            if ((hit - place).squaredNorm() < kNearEnd * kNearEnd)
                 slopes.push_back((cluster.z[i] - frame.sensorZ) / (hit - frame.sensor).norm());
         }
     }
@@ -80,7 +80,7 @@ Measurement withEndsOutOfView(const Sighting& sighting, const SegmentedFrame& fr
     constexpr double kUpperSigma = 1.0;          // m
     Measurement m = sighting.measurement;
     m.hiddenEnds = hiddenEnds(m.box, m.facesSeen, frame.sensor, frame.profile);
-    if (sighting.height < kLowestVan || m.hiddenEnds.empty()) return m;
+    if (sighting.height < kLowestSeenOver || m.hiddenEnds.empty()) return m;
     const bool isTruck = sighting.height >= kLowestTruck;
     const FaceSet grazed = grazedEnds(m.box, m.facesSeen, frame.sensor);
     // Of a van no more than its length: beside its windscreen its sides recede.
