@@ -84,7 +84,7 @@ TEST(RangeProfile, KeepsTheNearestHighHit)
 
 TEST(HiddenEnds, FreeEndsAreSeen)
 {
-    EXPECT_TRUE(hiddenEnds(kWall, leftSide(), kSensorOnLeft, blockedBetween(0, 0, 0)).empty());
+    EXPECT_TRUE(blockedEnds(kWall, leftSide(), kSensorOnLeft, blockedBetween(0, 0, 0)).empty());
 }
 
 TEST(HiddenEnds, ANearerObjectBesideAnEndHidesIt)
@@ -92,22 +92,22 @@ TEST(HiddenEnds, ANearerObjectBesideAnEndHidesIt)
     // The ray past the front goes to (6.6, 0.35): bearing about -49 deg.
     const double bearing = std::atan2(0.35 - 8.0, 6.6);
     const RangeProfile near = blockedBetween(bearing - 0.05, bearing + 0.05, 5.0F);
-    EXPECT_EQ(toString(hiddenEnds(kWall, leftSide(), kSensorOnLeft, near)), "F");
+    EXPECT_EQ(toString(blockedEnds(kWall, leftSide(), kSensorOnLeft, near)), "F");
     // So does what lies as far away: it may be the rest of the face.
     const RangeProfile beside = blockedBetween(bearing - 0.05, bearing + 0.05, 10.2F);
-    EXPECT_EQ(toString(hiddenEnds(kWall, leftSide(), kSensorOnLeft, beside)), "F");
+    EXPECT_EQ(toString(blockedEnds(kWall, leftSide(), kSensorOnLeft, beside)), "F");
     const RangeProfile behind = blockedBetween(bearing - 0.05, bearing + 0.05, 20.0F);
-    EXPECT_TRUE(hiddenEnds(kWall, leftSide(), kSensorOnLeft, behind).empty());
+    EXPECT_TRUE(blockedEnds(kWall, leftSide(), kSensorOnLeft, behind).empty());
     // A face with hits of its own is never hidden.
     FaceSet both = leftSide();
     both.add(Face::Front);
-    EXPECT_TRUE(hiddenEnds(kWall, both, kSensorOnLeft, near).empty());
+    EXPECT_TRUE(blockedEnds(kWall, both, kSensorOnLeft, near).empty());
 }
 
 TEST(HiddenEnds, GrazingRaysDoNotTellAnEnd)
 {
     const Eigen::Vector2d along(-8.0, 1.0);  // almost in line with the wall
-    EXPECT_TRUE(hiddenEnds(kWall, leftSide(), along, RangeProfile{}).has(Face::Front));
+    EXPECT_TRUE(grazedEnds(kWall, leftSide(), along).has(Face::Front));
 }
 
 TEST(HiddenEnds, OfACarLeaveTheOtherEndAsTheFixedPoint)

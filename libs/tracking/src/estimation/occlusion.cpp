@@ -8,18 +8,22 @@ namespace vdamf
 {
 namespace
 {
-constexpr double kBeyond = 0.6;      // m past an end, where the ray goes that would see more
-constexpr double kFreeRange = 0.4;   // m by which that ray goes on where nothing is in its way
 constexpr double kBeamStep = 0.004;  // rad between hits, about, of spinning LADARs
 constexpr double kWidestStep = 0.7;  // m between hits of a row whose end can be told
 
-// Of the rows along the faces seen: those that no face seen closes.
-template <class Visitor>
-void forEachEnd(FaceSet seen, Visitor&& visit)
+// Of the rows along the faces seen: those that no face seen closes. `isHidden` by the line of sight
+// past their end.
+template <class Predicate>
+FaceSet endsWhere(const OrientedBox& box, FaceSet seen, const Eigen::Vector2d& sensor,
+                  Predicate&& isHidden)
 {
+    FaceSet ends;
     for (int axis = 0; axis < 2; ++axis)
         for (int end = 0; end < 2 && seen.seesAlong(axis); ++end)
-            if (!seen.has(kFaceAt[axis][end])) visit(axis, end);
+            if (!seen.has(kFaceAt[axis][end]) &&
+                isHidden(placePastEnd(box, sensor, axis, end, kPastEnd) - sensor, axis))
+                ends.add(kFaceAt[axis][end]);
+    return ends;
 }
 }  // namespace
 
@@ -34,35 +38,24 @@ Eigen::Vector2d placePastEnd(const OrientedBox& box, const Eigen::Vector2d& sens
     return box.centre() + rotation(box.heading) * past;
 }
 
-FaceSet grazedEnds(const OrientedBox& box, FaceSet seen, const Eigen::Vector2d& sensor)
+FaceSet blockedEnds(const OrientedBox& box, FaceSet seen, const Eigen::Vector2d& sensor,
+                    const RangeProfile& profile)
 {
-    FaceSet grazed;
-    forEachEnd(
-        seen,
-        [&](int axis, int end)
-        {
-            const Eigen::Vector2d ray = placePastEnd(box, sensor, axis, end, kBeyond) - sensor;
-            const double range = ray.norm();
-            const double sine = std::abs(ray.dot(rotation(box.heading).col(1 - axis))) / range;
-            if (kBeamStep * range > kWidestStep * sine) grazed.add(kFaceAt[axis][end]);
-        });
-    return grazed;
+    return endsWhere(box, seen, sensor,
+                     [&](const Eigen::Vector2d& ray, int) {
+                         return profile.at(std::atan2(ray.y(), ray.x())) < ray.norm() + kFreeRange;
+                     });
 }
 
-FaceSet hiddenEnds(const OrientedBox& box, FaceSet seen, const Eigen::Vector2d& sensor,
-                   const RangeProfile& profile)
+FaceSet grazedEnds(const OrientedBox& box, FaceSet seen, const Eigen::Vector2d& sensor)
 {
-    FaceSet hidden = grazedEnds(box, seen, sensor);
-    forEachEnd(seen,
-               [&](int axis, int end)
-               {
-                   const Eigen::Vector2d ray =
-                       placePastEnd(box, sensor, axis, end, kBeyond) - sensor;
-                   // What it hits may hide the rest of the face, or be the rest of it.
-                   if (profile.at(std::atan2(ray.y(), ray.x())) < ray.norm() + kFreeRange)
-                       hidden.add(kFaceAt[axis][end]);
-               });
-    return hidden;
+    return endsWhere(box, seen, sensor,
+                     [&](const Eigen::Vector2d& ray, int axis)
+                     {
+                         const double across =
+                             std::abs(ray.dot(rotation(box.heading).col(1 - axis)));
+                         return kBeamStep * ray.squaredNorm() > kWidestStep * across;
+                     });
 }
 
 FaceSet endsBelowView(const OrientedBox& box, const Eigen::Vector2d& sensor, double sensorHeight,

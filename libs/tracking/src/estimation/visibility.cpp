@@ -11,15 +11,6 @@ namespace vdamf
 {
 namespace
 {
-// How far the measured face lies outside of the predicted one, along its normal, m.
-double outside(const OrientedBox& measured, const OrientedBox& predicted, int axis, int end)
-{
-    const Eigen::Vector2d normal = signOfEnd(end) * rotation(predicted.heading).col(axis);
-    const double growth =
-        axis == 0 ? measured.length - predicted.length : measured.width - predicted.width;
-    return normal.dot(measured.centre() - predicted.centre()) + 0.5 * growth;
-}
-
 // Of the two ends of an axis, the one that lies farther outside (sign +1) or inside (-1) than
 // predicted; a face that is seen itself is where it is.
 int suspect(const Measurement& m, const VehicleState& predicted, int axis, double sign)
@@ -27,7 +18,8 @@ int suspect(const Measurement& m, const VehicleState& predicted, int axis, doubl
     for (int end = 0; end < 2; ++end)
         if (m.facesSeen.has(kFaceAt[axis][end])) return 1 - end;
     const OrientedBox before = predicted.box();
-    return sign * outside(m.box, before, axis, 0) > sign * outside(m.box, before, axis, 1) ? 0 : 1;
+    return sign * outsideOf(before, m.box, axis, 0) > sign * outsideOf(before, m.box, axis, 1) ? 0
+                                                                                               : 1;
 }
 
 // Measured size over the known one in standard deviations.
@@ -77,7 +69,7 @@ bool reachesBeyond(const Measurement& m, const VehicleState& predicted, int axis
     constexpr double kVague = 0.5;  // m
     return m.facesSeen.seesAlong(axis) && m.hiddenEnds.has(face) && !m.facesSeen.has(face) &&
            placeSigma(m, axis, end) < kVague && (!otherIsTold || growth > o.sizeSigma) &&
-           outside(m.box, predicted.box(), axis, end) > o.sizeSigma;
+           outsideOf(predicted.box(), m.box, axis, end) > o.sizeSigma;
 }
 
 // Whether a row of hits from end to end is well measured and as long as is known.
@@ -185,7 +177,7 @@ FaceErrors withShortRows(const FaceErrors& errors, const Measurement& m,
             const bool isSeen = m.facesSeen.has(kFaceAt[axis][end]);
             if (isSeen || !errors.tells(axis, end) || errors.tells(axis, 1 - end)) continue;
             double& sigma = next.sigma[axis][end];
-            sigma = std::max(sigma, -outside(m.box, predicted.box(), axis, end));
+            sigma = std::max(sigma, -outsideOf(predicted.box(), m.box, axis, end));
         }
     return next;
 }
@@ -212,7 +204,7 @@ VehicleState openToGrowth(const VehicleState& predicted, const Measurement& m, b
             grow(1 - suspect(m, predicted, axis, 1.0), change.metres);
         for (int end = 0; end < 2 && axis == 0 && mayReach; ++end)
             if (reachesBeyond(m, predicted, axis, end, has[1 - end], o))
-                grow(1 - end, outside(m.box, predicted.box(), axis, end));
+                grow(1 - end, outsideOf(predicted.box(), m.box, axis, end));
     }
     return next;
 }

@@ -51,7 +51,6 @@ enum class PastEnd
 PastEnd viewPast(const Eigen::Vector2d& place, const std::vector<double>& slopes,
                  const Sighting& sighting, const SegmentedFrame& frame)
 {
-    constexpr double kFree = 0.4;    // m by which rays go on where nothing is in their way
     constexpr double kNearer = 0.6;  // m: what is less so is the rest of the face
     if (slopes.size() < kInRow) return PastEnd::Blocked;
     const Eigen::Vector2d ray = place - frame.sensor;
@@ -63,7 +62,7 @@ PastEnd viewPast(const Eigen::Vector2d& place, const std::vector<double>& slopes
     {
         const double reached = frame.profile.at(bearing, slope);
         if (reached < range - kNearer) break;
-        if (reached < range + kFree) return PastEnd::Blocked;
+        if (reached < range + kFreeRange) return PastEnd::Blocked;
         free = slope;
     }
     // Rays are where hits are.
@@ -76,19 +75,20 @@ PastEnd viewPast(const Eigen::Vector2d& place, const std::vector<double>& slopes
 
 Measurement withEndsOutOfView(const Sighting& sighting, const SegmentedFrame& frame)
 {
-    constexpr double kPast[] = {0.6, 1.1, 1.6};  // m
-    constexpr double kUpperSigma = 1.0;          // m
+    constexpr double kPast[] = {kPastEnd, 1.1, 1.6};  // m
+    constexpr double kUpperSigma = 1.0;               // m
     Measurement m = sighting.measurement;
-    m.hiddenEnds = hiddenEnds(m.box, m.facesSeen, frame.sensor, frame.profile);
-    if (sighting.height < kLowestSeenOver || m.hiddenEnds.empty()) return m;
-    const bool isTruck = sighting.height >= kLowestTruck;
+    const FaceSet blocked = blockedEnds(m.box, m.facesSeen, frame.sensor, frame.profile);
     const FaceSet grazed = grazedEnds(m.box, m.facesSeen, frame.sensor);
+    m.hiddenEnds = blocked | grazed;
+    if (sighting.height < kLowestSeenOver || blocked.empty()) return m;
+    const bool isTruck = sighting.height >= kLowestTruck;
     // Of a van no more than its length: beside its windscreen its sides recede.
     for (int axis = 0; axis < (isTruck ? 2 : 1); ++axis)
         for (int end = 0; end < 2; ++end)
         {
             const Face face = kFaceAt[axis][end];
-            if (!m.hiddenEnds.has(face) || grazed.has(face)) continue;
+            if (!blocked.has(face) || grazed.has(face)) continue;
             const auto past = [&](double metres)
             { return placePastEnd(m.box, frame.sensor, axis, end, metres); };
             const std::vector<double> slopes = slopesNear(past(kPast[0]), sighting, frame);
@@ -112,11 +112,7 @@ Measurement withoutShortUpperEnds(const Measurement& measurement, const Oriented
     for (int end = 0; end < 2; ++end)
     {
         const Face face = kFaceAt[0][end];
-        if (!m.upperEnds.has(face)) continue;
-        const double sign = signOfEnd(end);
-        const Eigen::Vector2d place =
-            m.box.centre() + 0.5 * sign * m.box.length * rotation(m.box.heading).col(0);
-        if (sign * toBoxFrame(foretold, place).x() < 0.5 * foretold.length - kShort)
+        if (m.upperEnds.has(face) && outsideOf(foretold, m.box, 0, end) < -kShort)
             m.hiddenEnds.add(face);
     }
     return m;

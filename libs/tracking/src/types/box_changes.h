@@ -17,6 +17,15 @@ inline Vector5d byFace(const Eigen::Matrix2d& axes, int axis, int end)
     return change;
 }
 
+/// How far the face at an end of an axis lies outside of that of another box, along the other's
+/// axis, m.
+inline double outsideOf(const OrientedBox& other, const OrientedBox& box, int axis, int end)
+{
+    const Eigen::Vector2d normal = signOfEnd(end) * rotation(other.heading).col(axis);
+    const double growth = axis == 0 ? box.length - other.length : box.width - other.width;
+    return normal.dot(box.centre() - other.centre()) + 0.5 * growth;
+}
+
 /// A box turned about a point, m.
 inline OrientedBox turnedAbout(const Eigen::Vector2d& point, double turn, OrientedBox box)
 {

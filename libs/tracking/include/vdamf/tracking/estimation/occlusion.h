@@ -8,14 +8,19 @@
 
 namespace vdamf
 {
-/// Faces of the box whose place the frame does not show: the row of hits along the neighbouring
-/// face ends there, but the line of sight just beyond that end is blocked by something nearer, or
-/// meets the row at such a grazing angle that its hits lie too far apart to tell its end. A face
-/// that is seen itself is never among them. Box and sensor share their frame, m.
-FaceSet hiddenEnds(const OrientedBox& box, FaceSet seen, const Eigen::Vector2d& sensor,
-                   const RangeProfile& profile);
+/// Where the ray goes that would see more of a face, past its end, m.
+inline constexpr double kPastEnd = 0.6;
+/// By how much that ray goes on where nothing is in its way, m.
+inline constexpr double kFreeRange = 0.4;
 
-/// Those of them that are hidden by the grazing angle alone.
+/// Faces of the box that end a row of hits along the face beside them, where the line of sight
+/// just past that end is blocked: what it meets may hide the rest of the row, or be the rest of
+/// it. A face that is seen itself is never among them. Box and sensor share their frame, m.
+FaceSet blockedEnds(const OrientedBox& box, FaceSet seen, const Eigen::Vector2d& sensor,
+                    const RangeProfile& profile);
+
+/// The same where that line meets the row at such a grazing angle that its hits lie too far apart
+/// to tell its end.
 FaceSet grazedEnds(const OrientedBox& box, FaceSet seen, const Eigen::Vector2d& sensor);
 
 /// Where the face beside an end of an axis (0: length, 1: width; low or high) would go on, so many

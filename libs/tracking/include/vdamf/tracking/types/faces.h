@@ -48,6 +48,12 @@ struct FaceSet
     bool operator==(const FaceSet& other) const { return bits == other.bits; }
 };
 
+/// The faces of either set.
+inline FaceSet operator|(FaceSet one, FaceSet other)
+{
+    return {static_cast<std::uint8_t>(one.bits | other.bits)};
+}
+
 /// Letters of the faces in the order F, B, L, R: "FL" is front and left. Empty set: "".
 inline std::string toString(FaceSet faces)
 {
