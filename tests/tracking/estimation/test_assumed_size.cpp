@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "tracking/estimation/measured_vehicles.h"
 #include "vdamf/tracking/estimation/start_state.h"
 
 namespace vdamf
@@ -31,6 +34,60 @@ TEST(AssumedSize, WideCarsAreLongerThanNarrowOnes)
     EXPECT_NEAR(wide - narrow, 0.27, 0.05);
     // What is seen of an end may be a part of it.
     EXPECT_GT(carLength(1.5, 1.0, kVisibility).metres, 3.8);
+}
+
+// Of a normal distribution about 9.5 m, 2 m wide, without what is shorter than `seen`.
+AssumedSize byQuadrature(double seen)
+{
+    constexpr double kStep = 1e-3;  // m
+    double share = 0.0;
+    double sum = 0.0;
+    double squares = 0.0;
+    for (double length = seen + 0.5 * kStep; length < 30.0; length += kStep)
+    {
+        const double density = std::exp(-0.5 * std::pow((length - 9.5) / 2.0, 2));
+        share += density;
+        sum += density * length;
+        squares += density * length * length;
+    }
+    const double mean = sum / share;
+    return {mean, std::sqrt(squares / share - mean * mean)};
+}
+
+TEST(AssumedSize, TrucksGoOnOutOfSightAsFarAsThoseDoThatAreLonger)
+{
+    for (const double seen : {6.6, 8.0, 9.5, 12.0, 16.0})
+    {
+        const auto whole = lengthOfMoreThan(seen, 2.8);
+        ASSERT_TRUE(whole) << seen;
+        const AssumedSize expected = byQuadrature(seen);
+        EXPECT_NEAR(whole->metres, expected.metres, 1e-4) << seen;
+        EXPECT_NEAR(whole->sigma, expected.sigma, 1e-3) << seen;
+    }
+    const auto tram = lengthOfMoreThan(25.0, 2.8);
+    ASSERT_TRUE(tram);
+    EXPECT_GE(tram->metres, 25.0);
+    EXPECT_LT(tram->metres, 26.0);
+    EXPECT_GT(tram->sigma, 0.1);
+    EXPECT_FALSE(lengthOfMoreThan(6.0, 2.2)) << "a van";
+    EXPECT_FALSE(lengthOfMoreThan(8.0, 1.5)) << "two cars";
+}
+
+TEST(GoingOnOutOfSight, TheEndSeenStaysAndTheOtherOneGoesOn)
+{
+    Measurement m = measured({16.0, 5.0, 0.0, 8.0, 2.5}, faces({Face::Right}));
+    m.hiddenEnds.add(Face::Back);
+    const VehicleState before = known(m.box, 0.5);
+    const VehicleState after = goingOnOutOfSight(before, m, 8.0, 2.8, kVisibility);
+    const AssumedSize whole = lengthOfMoreThan(8.0, 2.8).value();
+    EXPECT_NEAR(after.mean(kLength), whole.metres, 1e-9);
+    EXPECT_NEAR(after.mean(kX) + 0.5 * after.mean(kLength), 20.0, 1e-9);
+    EXPECT_NEAR(after.covariance(kLength, kLength), whole.sigma * whole.sigma, 1e-9);
+    // What is not hidden at either end, or at both, tells its length or nothing at all.
+    m.hiddenEnds.add(Face::Front);
+    EXPECT_EQ(goingOnOutOfSight(before, m, 8.0, 2.8, kVisibility).mean, before.mean);
+    m.hiddenEnds = {};
+    EXPECT_EQ(goingOnOutOfSight(before, m, 8.0, 2.8, kVisibility).mean, before.mean);
 }
 
 VehicleState carAhead(double lengthSigma)

@@ -80,5 +80,55 @@ TEST(TrackSightings, KeepsTheHitsWhereTheyAreWhenItsBoxMoves)
     EXPECT_NEAR(track.boxOfHits().x, all.around.x, 0.01);
 }
 
+constexpr double kWall = 10.0;  // m: what is on this side of it is hidden
+
+// The right side of a bus, up to its front, of which a wall hides the rear.
+Sighting sideUpTo(double front, double time)
+{
+    const double seen = front - kWall;
+    Sighting s;
+    s.time = time;
+    s.measurement.box = {front - 0.5 * seen, 12.0, 0.0, seen, 2.5};
+    s.measurement.covariance = (Vector5d() << 1e-3, 1e-3, 1e-4, 4e-3, 1e-2).finished().asDiagonal();
+    s.measurement.facesSeen.add(Face::Right);
+    s.measurement.hiddenEnds.add(Face::Back);
+    s.measurement.hits = 100;
+    s.measurement.match = 0.4;
+    s.around = s.measurement.box;
+    s.height = 2.8;
+    s.side = {seen, 75.0};
+    return s;
+}
+
+// Sighted for half a second, to where its front is 8 m before the wall.
+Track comingOut(double speed)
+{
+    const TrackerOptions options;
+    VehicleKalmanFilter filter(options.motion);
+    const auto frontAt = [&](double time) { return kWall + 8.0 + speed * (time - 0.5); };
+    Track track = startedTrack(1, sideUpTo(frontAt(0.0), 0.0), {0.0, 16.0}, options);
+    for (int k = 1; k <= 5; ++k)
+    {
+        track = predictedTrack(std::move(track), 0.1, {0.0, 0.0}, filter, options.motion);
+        track = sightedTrack(std::move(track), sideUpTo(frontAt(0.1 * k), 0.1 * k), Neighbourhood(),
+                             filter, options);
+    }
+    return track;
+}
+
+TEST(TrackSightings, ABusThatComesOutFromBehindAWallIsLongerThanWhatIsSeenOfIt)
+{
+    const VehicleState bus = comingOut(11.0).state;
+    EXPECT_GT(bus.mean(kLength), 9.0);
+    EXPECT_GT(std::sqrt(bus.covariance(kLength, kLength)), 1.0) << "nothing tells by how much";
+    EXPECT_NEAR(bus.mean(kX) + 0.5 * bus.mean(kLength), kWall + 8.0, 0.1) << "its front is seen";
+    EXPECT_NEAR(bus.mean(kSpeed), 11.0, 0.5);
+}
+
+TEST(TrackSightings, OfWhatStandsBehindAWallNoMoreIsTakenForAVehicle)
+{
+    EXPECT_NEAR(comingOut(0.0).state.mean(kLength), 8.0, 0.5);
+}
+
 }  // namespace
 }  // namespace vdamf

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tracker/length_of_end.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "tracker/discriminate.h"
 #include "vdamf/tracking/estimation/assumed_size.h"
 #include "vdamf/tracking/estimation/start_state.h"
@@ -9,6 +12,20 @@ namespace vdamf
 {
 namespace
 {
+constexpr double kTold = 0.3;  // m, of lengths: no part of one that passes for all of it
+
+// Of what stands something else may go on behind what hides its end.
+bool isSurelyDriving(const MotionHypotheses& hypotheses)
+{
+    constexpr double kStands = 0.02;  // probability
+    constexpr double kSlow = 3.0;     // m/s
+    constexpr double kSigmas = 5.0;
+    const VehicleState& driving = hypotheses.driving.front();
+    const double sigma = std::sqrt(driving.covariance(kSpeed, kSpeed));
+    return hypotheses.standingProbability < kStands &&
+           std::abs(driving.mean(kSpeed)) > std::max(kSlow, kSigmas * sigma);
+}
+
 // Of a vehicle of which an end alone was ever seen.
 std::optional<AssumedSize> lengthBehindEnd(const Track& track, const VisibilityOptions& options)
 {
@@ -32,6 +49,22 @@ Track grownToAVehicle(Track track, const Measurement& m, double height,
         track.hypotheses->forEach(
             [&](VehicleState& state)
             { state = grownAsJudged(state, m, height, track.told, options); });
+    return track;
+}
+
+Track goingOnOutOfSight(Track track, const Sighting& sighting, const Measurement& m,
+                        const VehicleState& foretold, const VisibilityOptions& options)
+{
+    const double seen = sighting.around.length;
+    const bool isNews = seen > foretold.mean(kLength) + 2.0 * options.sizeSigma;
+    const bool wasTold = foretold.covariance(kLength, kLength) < kTold * kTold;
+    if (!isNews || wasTold || !isSurelyDriving(*track.hypotheses)) return track;
+    const double height = std::max(track.height, sighting.height);
+    const double before = track.hypotheses->driving.front().mean(kLength);
+    track.hypotheses->forEach([&](VehicleState& state)
+                              { state = goingOnOutOfSight(state, m, seen, height, options); });
+    // That length is assumed no more.
+    if (track.hypotheses->driving.front().mean(kLength) > before) track.assumedLength.reset();
     return track;
 }
 

@@ -10,6 +10,11 @@ namespace vdamf
 Track grownToAVehicle(Track track, const Measurement& m, double height,
                       const VisibilityOptions& options);
 
+/// The track of what drives out from behind something, after it was seen longer than `foretold`:
+/// the next frames will show more of it. With the time of the sighting's hits.
+Track goingOnOutOfSight(Track track, const Sighting& sighting, const Measurement& m,
+                        const VehicleState& foretold, const VisibilityOptions& options);
+
 /// The track, of which an end alone was ever seen, taken for a longer vehicle as more of that comes
 /// into view.
 Track withEndFollowed(Track track, const Sighting& sighting, const Measurement& m,

@@ -232,6 +232,7 @@ Track sightedTrack(Track track, const Sighting& sighting, const Neighbourhood& a
                                      track, then, visibility);
     track = openToGrowth(std::move(track), m, sighting.lag, options);
     track = updatedBy(box, std::move(track), then, sighting.time - track.lastSeen, filter, options);
+    track = goingOnOutOfSight(std::move(track), sighting, m, then, visibility);
     track.told = track.told.with(m);
     track.highest =
         std::max(track.highest, std::min(track.height, sighting.height) + sighting.overHits);

@@ -41,6 +41,10 @@ std::optional<AssumedSize> lengthBehind(double width, double height,
 /// Of a bus: most are 12 m long, articulated ones 18, small ones 9.
 inline constexpr AssumedSize kBusLength{12.0, 2.0};
 
+/// Of a truck or bus of that height of which that length is seen, and that goes on out of sight
+/// (m); nothing where it may be a van.
+std::optional<AssumedSize> lengthOfMoreThan(double seen, double height);
+
 /// Of the vehicle behind a side of that length and height (m).
 std::optional<AssumedSize> widthBehind(double length, double height,
                                        const VisibilityOptions& options);
