@@ -100,18 +100,24 @@ Sighting sideUpTo(double front, double time)
     return s;
 }
 
-// Sighted for half a second, to where its front is 8 m before the wall.
-Track comingOut(double speed)
+// Sighted for half a second, to where its front is 8 m before the wall. Of what is seen a part is a
+// row of hits without a wide gap.
+Track comingOut(double speed, double row = 1.0)
 {
     const TrackerOptions options;
     VehicleKalmanFilter filter(options.motion);
     const auto frontAt = [&](double time) { return kWall + 8.0 + speed * (time - 0.5); };
-    Track track = startedTrack(1, sideUpTo(frontAt(0.0), 0.0), {0.0, 16.0}, options);
+    const auto seenAt = [&](double time)
+    {
+        Sighting seen = sideUpTo(frontAt(time), time);
+        seen.side.metres *= row;
+        return seen;
+    };
+    Track track = startedTrack(1, seenAt(0.0), {0.0, 16.0}, options);
     for (int k = 1; k <= 5; ++k)
     {
         track = predictedTrack(std::move(track), 0.1, {0.0, 0.0}, filter, options.motion);
-        track = sightedTrack(std::move(track), sideUpTo(frontAt(0.1 * k), 0.1 * k), Neighbourhood(),
-                             filter, options);
+        track = sightedTrack(std::move(track), seenAt(0.1 * k), Neighbourhood(), filter, options);
     }
     return track;
 }
@@ -128,6 +134,11 @@ TEST(TrackSightings, ABusThatComesOutFromBehindAWallIsLongerThanWhatIsSeenOfIt)
 TEST(TrackSightings, OfWhatStandsBehindAWallNoMoreIsTakenForAVehicle)
 {
     EXPECT_NEAR(comingOut(0.0).state.mean(kLength), 8.0, 0.5);
+}
+
+TEST(TrackSightings, WhatLiesAheadOfAVehicleMakesNoBusOfIt)
+{
+    EXPECT_LT(comingOut(11.0, 0.3).state.mean(kLength), 9.0);
 }
 
 }  // namespace

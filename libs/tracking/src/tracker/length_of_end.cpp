@@ -55,8 +55,10 @@ Track grownToAVehicle(Track track, const Measurement& m, double height,
 Track goingOnOutOfSight(Track track, const Sighting& sighting, const Measurement& m,
                         const VehicleState& foretold, const VisibilityOptions& options)
 {
+    constexpr double kPart = 0.5;  // of it that is a row of hits: else something else lies ahead
     const double seen = sighting.around.length;
-    const bool isNews = seen > foretold.mean(kLength) + 2.0 * options.sizeSigma;
+    const bool isNews = seen > foretold.mean(kLength) + 2.0 * options.sizeSigma &&
+                        sighting.side.metres > kPart * seen;
     const bool wasTold = foretold.covariance(kLength, kLength) < kTold * kTold;
     if (!isNews || wasTold || !isSurelyDriving(*track.hypotheses)) return track;
     const double height = std::max(track.height, sighting.height);
