@@ -93,7 +93,19 @@ TEST(Neighbourhood, ManySayMoreThanOneWithinBounds)
     for (int k = 1; k <= 6; ++k) row.push_back(parkedAt(std::uint64_t(k), 0.0, 1.2 * k, 0.0));
     const OrientedBox box{0, 0, 0.0, 4.3, 1.8};
     EXPECT_GT(evidence(row, box), evidence({row.front()}, box));
-    EXPECT_LE(evidence(row, box), 3.0);
+    EXPECT_LE(evidence(row, box), Neighbourhood::kMostEvidence);
+}
+
+TEST(Neighbourhood, WhatIsSeenWholeIsBelievedMoreThanAllAroundIt)
+{
+    HeadingCues across;
+    across.side = FaceExtent{1.8, 0.9};
+    across.end = FaceExtent{4.3, 0.9};
+    across.neighbours = Neighbourhood::kMostEvidence;
+    HeadingBelief belief;
+    for (int k = 0; k < 5; ++k) belief = belief.after(across);
+    constexpr double kLikelier = 0.5;  // log odds
+    EXPECT_EQ(belief.turnDue(kLikelier) % 2, 1);
 }
 
 TEST(Neighbourhood, ATrackIsNoNeighbourOfItselfNorIsWhatIsNotPublished)
