@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -126,6 +127,32 @@ TEST(HiddenEnds, OfACarLeaveTheOtherEndAsTheFixedPoint)
     m.hiddenEnds.add(Face::Front);
     EXPECT_GT(box().covariance(0, 0), 40.0);
     EXPECT_LT(withKnown(box(), 4, 2.0, 0.01).covariance(1, 1), 0.1);
+}
+
+// Behind and to the left of a car that heads along x: its rear is at x = 9.75, its left side at
+// y = -2.1, their corner at a bearing of -0.21.
+TEST(ShadowEdges, AreBesideWhatIsNearer)
+{
+    const OrientedBox car{12.0, -3.0, 0.0, 4.5, 1.8};
+    FaceSet both;
+    both.add(Face::Back);
+    both.add(Face::Left);
+    const auto edges = [&](FaceSet seen, const RangeProfile& profile)
+    { return toString(shadowEdges(car, seen, Eigen::Vector2d::Zero(), profile)); };
+    EXPECT_EQ(edges(both, RangeProfile()), "");
+    EXPECT_EQ(edges(both, blockedBetween(-0.20, 0.2, 5.0F)), "L");
+    EXPECT_EQ(edges(both, blockedBetween(-0.5, -0.205, 5.0F)), "B");
+    EXPECT_EQ(edges(both, blockedBetween(-0.24, 0.2, 5.0F)), "L") << "the corner as well";
+    EXPECT_EQ(edges(both, blockedBetween(-0.20, 0.2, 11.0F)), "") << "the car itself";
+    EXPECT_EQ(edges(leftSide(), blockedBetween(-0.20, 0.2, 5.0F)), "") << "no corner";
+    RangeProfile coarse;
+    coarse.nearest.assign(90, 5.0F);
+    EXPECT_EQ(edges(both, coarse), "") << "four degrees are 0.8 m";
+    RangeProfile gap = blockedBetween(-0.20, 0.2, 5.0F);
+    const RangeProfile other = blockedBetween(-0.5, -0.205, 5.0F);
+    for (std::size_t k = 0; k < gap.nearest.size(); ++k)
+        gap.nearest[k] = std::min(gap.nearest[k], other.nearest[k]);
+    EXPECT_EQ(edges(both, gap), "");
 }
 
 }  // namespace

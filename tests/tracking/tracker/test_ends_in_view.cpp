@@ -155,7 +155,37 @@ TEST(EndsInView, UpperEndsTurnWithTheBox)
     Measurement m;
     m.upperEnds.add(Face::Front);
     m.upperEnds.add(Face::Left);
+    m.shadowEdges.add(Face::Left);
     EXPECT_EQ(toString(turnedBy(m, 2).upperEnds), "BR");
+    EXPECT_EQ(toString(turnedBy(m, 1).shadowEdges), "F");
+}
+
+// A car drives behind another one, which hides its left half.
+TEST(EndsInView, EdgesOfShadowsInsideOfWhatIsForetoldAreNoFaces)
+{
+    VehicleState car;
+    car.mean << 0.0, 0.0, 0.0, 8.0, 0.0, 0.0, 4.5;
+    car.width = 1.8;
+    car.covariance.diagonal().setConstant(1e-3);
+    car.widthVariance = 1e-3;
+    Measurement m;
+    m.box = {0.0, -0.3, 0.0, 4.5, 1.2};
+    m.covariance.diagonal().setConstant(1e-3);
+    m.facesSeen.add(Face::Front);
+    m.facesSeen.add(Face::Left);
+    m.shadowEdges.add(Face::Left);
+    const Eigen::Vector2d hits(2.0, 0.0);
+    const auto left = [&](const VehicleState& foretold)
+    { return withoutShadowEdges(m, foretold, hits); };
+    EXPECT_EQ(toString(left(car).facesSeen), "F");
+    EXPECT_EQ(toString(left(car).hiddenEnds), "L");
+    EXPECT_GT(std::sqrt(left(car).covariance(2, 2)), 0.1) << "rad";
+    EXPECT_GT(left(car).covariance(1, 1), m.covariance(1, 1)) << "turned about the hits";
+    m.box = {0.0, 0.02, 0.0, 4.5, 1.8};
+    EXPECT_EQ(toString(left(car).facesSeen), "FL") << "where its side is";
+    m.box = {0.0, -0.3, 0.0, 4.5, 1.2};
+    car.widthVariance = 1.0;
+    EXPECT_EQ(toString(left(car).facesSeen), "FL") << "where its side is, is not known";
 }
 
 }  // namespace

@@ -58,6 +58,38 @@ FaceSet grazedEnds(const OrientedBox& box, FaceSet seen, const Eigen::Vector2d& 
                      });
 }
 
+FaceSet shadowEdges(const OrientedBox& box, FaceSet seen, const Eigen::Vector2d& sensor,
+                    const RangeProfile& profile)
+{
+    constexpr double kBefore = 0.25;                   // m, the face
+    constexpr double kNearer = 0.6;                    // m: what is less so may be the face itself
+    constexpr double kFromCorner[] = {0.0, 0.5, 1.0};  // m
+    if (!seen.seesSide() || !seen.seesEnd()) return FaceSet();
+    // From afar one sector holds the face and what stands beside it.
+    const double sector =
+        2.0 * kPi / static_cast<double>(std::max<std::size_t>(1, profile.nearest.size()));
+    if (sector * (box.centre() - sensor).norm() > kBefore) return FaceSet();
+    const Eigen::Vector2d view = toBoxFrame(box, sensor);
+    const Eigen::Vector2d towards(std::copysign(1.0, view.x()), std::copysign(1.0, view.y()));
+    const auto isShadowed = [&](int axis, double fromCorner)
+    {
+        Eigen::Vector2d place(0.5 * towards.x() * box.length, 0.5 * towards.y() * box.width);
+        place(axis) += kBefore * towards(axis);
+        place(1 - axis) -= fromCorner * towards(1 - axis);
+        const Eigen::Vector2d ray = box.centre() + rotation(box.heading) * place - sensor;
+        return profile.at(std::atan2(ray.y(), ray.x())) < ray.norm() - kNearer;
+    };
+    for (const double fromCorner : kFromCorner)
+    {
+        FaceSet edges;
+        for (int axis = 0; axis < 2; ++axis)
+            if (isShadowed(axis, fromCorner)) edges.add(kFaceAt[axis][towards(axis) > 0.0 ? 1 : 0]);
+        // Both where the shadow reaches over the corner.
+        if (!edges.seesSide() || !edges.seesEnd()) return edges;
+    }
+    return FaceSet();
+}
+
 FaceSet endsBelowView(const OrientedBox& box, const Eigen::Vector2d& sensor, double sensorHeight,
                       const RangeProfile& profile)
 {

@@ -71,6 +71,30 @@ PastEnd viewPast(const Eigen::Vector2d& place, const std::vector<double>& slopes
     const double height = frame.sensorZ + lowest[kInRow - 1] * range - sighting.groundZ;
     return height > kCab ? PastEnd::Upper : PastEnd::Open;
 }
+// How far inside of the box foretold a face measured lies beside the hits, by how far it may err.
+struct Inside
+{
+    double metres = 0.0;
+    double sigma = 0.0;
+};
+
+Inside insideOf(const VehicleState& foretold, const OrientedBox& box, int axis, int end,
+                const Eigen::Vector2d& hits)
+{
+    const Eigen::Vector2d half(0.5 * box.length, 0.5 * box.width);
+    Eigen::Vector2d beside = toBoxFrame(box, hits);
+    beside(axis) = signOfEnd(end) * half(axis);
+    const OrientedBox before = foretold.box();
+    const Eigen::Vector2d place = toBoxFrame(before, box.centre() + rotation(box.heading) * beside);
+    StateVector change = StateVector::Zero();
+    change.head<2>() = signOfEnd(end) * rotation(before.heading).col(axis);
+    change(kHeading) = signOfEnd(end) * (axis == 0 ? -place.y() : place.x());
+    change(kLength) = axis == 0 ? 0.5 : 0.0;
+    const double variance = change.dot(foretold.covariance * change) +
+                            (axis == 1 ? 0.25 * foretold.widthVariance : 0.0);
+    return {0.5 * foretold.size()(axis) - signOfEnd(end) * place(axis),
+            std::sqrt(std::max(0.0, variance))};
+}
 }  // namespace
 
 Measurement withEndsOutOfView(const Sighting& sighting, const SegmentedFrame& frame)
@@ -78,6 +102,7 @@ Measurement withEndsOutOfView(const Sighting& sighting, const SegmentedFrame& fr
     constexpr double kPast[] = {kPastEnd, 1.1, 1.6};  // m
     constexpr double kUpperSigma = 1.0;               // m
     Measurement m = sighting.measurement;
+    m.shadowEdges = shadowEdges(m.box, m.facesSeen, frame.sensor, frame.profile);
     const FaceSet blocked = blockedEnds(m.box, m.facesSeen, frame.sensor, frame.profile);
     const FaceSet grazed = grazedEnds(m.box, m.facesSeen, frame.sensor);
     m.hiddenEnds = blocked | grazed;
@@ -101,6 +126,27 @@ Measurement withEndsOutOfView(const Sighting& sighting, const SegmentedFrame& fr
             m.upperEnds.add(face);
             const Vector5d change = byFace(rotation(m.box.heading), axis, end);
             m.covariance += kUpperSigma * kUpperSigma * change * change.transpose();
+        }
+    return m;
+}
+
+Measurement withoutShadowEdges(const Measurement& measurement, const VehicleState& foretold,
+                               const Eigen::Vector2d& hits)
+{
+    constexpr double kInside = 0.1;  // m
+    constexpr double kSigmas = 2.0;
+    constexpr double kTurn = 0.15;  // rad, by hits along them
+    Measurement m = measurement;
+    for (int axis = 0; axis < 2; ++axis)
+        for (int end = 0; end < 2; ++end)
+        {
+            const Face face = kFaceAt[axis][end];
+            if (!m.shadowEdges.has(face)) continue;
+            const Inside inside = insideOf(foretold, m.box, axis, end, hits);
+            if (inside.metres < std::max(kInside, kSigmas * inside.sigma)) continue;
+            m.facesSeen.remove(face);
+            m.hiddenEnds.add(face);
+            m = withTurn(m, kTurn, hits);
         }
     return m;
 }

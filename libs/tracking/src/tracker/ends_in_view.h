@@ -3,6 +3,7 @@
 #pragma once
 
 #include "tracker/sighting.h"
+#include "vdamf/tracking/types/vehicle_state.h"
 
 namespace vdamf
 {
@@ -14,6 +15,12 @@ namespace vdamf
 /// the end of what a truck carries: it is told to a metre, as one of the upper ends. So are those
 /// of vans (from 1.85 m), whose windscreens lie behind their bumpers. Upper ends tell no size.
 Measurement withEndsOutOfView(const Sighting& sighting, const SegmentedFrame& frame);
+
+/// With those of the edges of shadows hidden that lie inside of the box foretold, by more than its
+/// faces may err: they are no faces of it, and a line along them is turned. `hits`: their middle,
+/// m.
+Measurement withoutShadowEdges(const Measurement& measurement, const VehicleState& foretold,
+                               const Eigen::Vector2d& hits);
 
 /// With those of the upper ends hidden that lie well inside of the box foretold: there a cab or a
 /// bonnet goes on.

@@ -61,13 +61,6 @@ double lowestOfEnd(const Measurement& m, double row, const Cluster& hits)
     return static_cast<double>(lowest.back());
 }
 
-// Turned by that standard deviation more, about the hits.
-Measurement withTurn(Measurement m, double sigma, const Eigen::Vector2d& hits)
-{
-    const Vector5d turn = byTurn(m.box.centre() - hits);
-    m.covariance += sigma * sigma * turn * turn.transpose();
-    return m;
-}
 }  // namespace
 
 Measurement withoutEndsBelowView(const Sighting& sighting, const SegmentedFrame& frame)

@@ -215,9 +215,10 @@ Track sightedTrack(Track track, const Sighting& sighting, const Neighbourhood& a
     const VisibilityOptions& visibility = options.visibility;
     Measurement m = alignedWith(sighting.measurement,
                                 stateAt(track.state, sighting.lag, options.motion).mean(kHeading));
-    m = stands(track)
-            ? turnedBack(m, track.state, sighting.around.centre())
-            : withoutShortUpperEnds(m, stateAt(track.state, sighting.lag, options.motion).box());
+    const VehicleState foretold = stateAt(track.state, sighting.lag, options.motion);
+    m = stands(track) ? turnedBack(m, track.state, sighting.around.centre())
+                      : withoutShortUpperEnds(m, foretold.box());
+    m = withoutShadowEdges(m, foretold, sighting.around.centre());
     track.measurement = m;
     track.hits = m.hits;
     track.areParts = sighting.areParts;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "vdamf/tracking/types/faces.h"
+#include "vdamf/tracking/types/measurement.h"
 #include "vdamf/tracking/types/track.h"
 
 namespace vdamf
@@ -42,6 +43,14 @@ inline Vector5d byTurn(const Eigen::Vector2d& lever)
     Vector5d change = Vector5d::Zero();
     change.head<3>() << -lever.y(), lever.x(), 1.0;
     return change;
+}
+
+/// The measurement turned about a point (m) by that standard deviation (rad) more.
+inline Measurement withTurn(Measurement m, double sigma, const Eigen::Vector2d& hits)
+{
+    const Vector5d turn = byTurn(m.box.centre() - hits);
+    m.covariance += sigma * sigma * turn * turn.transpose();
+    return m;
 }
 
 }  // namespace vdamf

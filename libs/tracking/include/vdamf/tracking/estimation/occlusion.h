@@ -23,6 +23,12 @@ FaceSet blockedEnds(const OrientedBox& box, FaceSet seen, const Eigen::Vector2d&
 /// to tell its end.
 FaceSet grazedEnds(const OrientedBox& box, FaceSet seen, const Eigen::Vector2d& sensor);
 
+/// Of two faces seen, the one before which, beside their corner, something nearer is in the line of
+/// sight: its hits may be the edge of that shadow, across bonnet, windscreen and roof. Nothing
+/// where both show through a gap.
+FaceSet shadowEdges(const OrientedBox& box, FaceSet seen, const Eigen::Vector2d& sensor,
+                    const RangeProfile& profile);
+
 /// Where the face beside an end of an axis (0: length, 1: width; low or high) would go on, so many
 /// metres past that end. In the frame of the box, m.
 Eigen::Vector2d placePastEnd(const OrientedBox& box, const Eigen::Vector2d& sensor, int axis,

@@ -19,9 +19,10 @@ struct Measurement
     int hits = 0;
     int iterations = 0;  ///< of the fit, all steps together
     bool converged = false;
-    FaceSet facesSeen;   ///< faces towards the sensor with enough hits on them
-    FaceSet hiddenEnds;  ///< faces whose place the frame does not show
-    FaceSet upperEnds;   ///< faces of which it shows the upper part alone, which may recede
+    FaceSet facesSeen;    ///< faces towards the sensor with enough hits on them
+    FaceSet hiddenEnds;   ///< faces whose place the frame does not show
+    FaceSet shadowEdges;  ///< faces seen that may be where something nearer hides the rest
+    FaceSet upperEnds;    ///< faces of which it shows the upper part alone, which may recede
 };
 
 }  // namespace vdamf
