@@ -71,19 +71,21 @@ FaceSet shadowEdges(const OrientedBox& box, FaceSet seen, const Eigen::Vector2d&
     if (sector * (box.centre() - sensor).norm() > kBefore) return FaceSet();
     const Eigen::Vector2d view = toBoxFrame(box, sensor);
     const Eigen::Vector2d towards(std::copysign(1.0, view.x()), std::copysign(1.0, view.y()));
-    const auto isShadowed = [&](int axis, double fromCorner)
+    const auto isShadowed = [&](int axis, int end, double fromCorner)
     {
-        Eigen::Vector2d place(0.5 * towards.x() * box.length, 0.5 * towards.y() * box.width);
-        place(axis) += kBefore * towards(axis);
-        place(1 - axis) -= fromCorner * towards(1 - axis);
-        const Eigen::Vector2d ray = box.centre() + rotation(box.heading) * place - sensor;
+        const Eigen::Vector2d along = towards(1 - axis) * rotation(box.heading).col(1 - axis);
+        const Eigen::Vector2d ray =
+            placePastEnd(box, sensor, axis, end, kBefore) - fromCorner * along - sensor;
         return profile.at(std::atan2(ray.y(), ray.x())) < ray.norm() - kNearer;
     };
     for (const double fromCorner : kFromCorner)
     {
         FaceSet edges;
         for (int axis = 0; axis < 2; ++axis)
-            if (isShadowed(axis, fromCorner)) edges.add(kFaceAt[axis][towards(axis) > 0.0 ? 1 : 0]);
+        {
+            const int end = towards(axis) > 0.0 ? 1 : 0;
+            if (isShadowed(axis, end, fromCorner)) edges.add(kFaceAt[axis][end]);
+        }
         // Both where the shadow reaches over the corner.
         if (!edges.seesSide() || !edges.seesEnd()) return edges;
     }

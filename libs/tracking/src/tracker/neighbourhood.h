@@ -30,8 +30,8 @@ public:
     Neighbourhood(const std::vector<Track>& tracks, const Discriminator& discriminator);
 
     /// Log odds of the axes and of the front that all neighbours together tell at most: what makes
-    /// them stand otherwise holds for all. A vehicle that is seen whole tells its axes better.
-    static constexpr double kMostEvidence = 3.9;
+    /// them stand otherwise holds for all.
+    static constexpr double kMostEvidence = 3.0;
     static constexpr double kMostOfFront = 4.0;
 
     /// Log odds that length and width of a box are as they are held rather than exchanged, by the

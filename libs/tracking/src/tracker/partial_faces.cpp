@@ -60,7 +60,6 @@ double lowestOfEnd(const Measurement& m, double row, const Cluster& hits)
     }
     return static_cast<double>(lowest.back());
 }
-
 }  // namespace
 
 Measurement withoutEndsBelowView(const Sighting& sighting, const SegmentedFrame& frame)

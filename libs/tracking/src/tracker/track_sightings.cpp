@@ -213,9 +213,8 @@ Track sightedTrack(Track track, const Sighting& sighting, const Neighbourhood& a
                    VehicleKalmanFilter& filter, const TrackerOptions& options)
 {
     const VisibilityOptions& visibility = options.visibility;
-    Measurement m = alignedWith(sighting.measurement,
-                                stateAt(track.state, sighting.lag, options.motion).mean(kHeading));
     const VehicleState foretold = stateAt(track.state, sighting.lag, options.motion);
+    Measurement m = alignedWith(sighting.measurement, foretold.mean(kHeading));
     m = stands(track) ? turnedBack(m, track.state, sighting.around.centre())
                       : withoutShortUpperEnds(m, foretold.box());
     m = withoutShadowEdges(m, foretold, sighting.around.centre());

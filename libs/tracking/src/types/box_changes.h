@@ -46,9 +46,9 @@ inline Vector5d byTurn(const Eigen::Vector2d& lever)
 }
 
 /// The measurement turned about a point (m) by that standard deviation (rad) more.
-inline Measurement withTurn(Measurement m, double sigma, const Eigen::Vector2d& hits)
+inline Measurement withTurn(Measurement m, double sigma, const Eigen::Vector2d& point)
 {
-    const Vector5d turn = byTurn(m.box.centre() - hits);
+    const Vector5d turn = byTurn(m.box.centre() - point);
     m.covariance += sigma * sigma * turn * turn.transpose();
     return m;
 }
