@@ -142,6 +142,19 @@ TEST(VariableAxisModel, ProcessNoiseEqualsMonteCarloOfItsInputs)
     }
 }
 
+TEST(VariableAxisModel, WhatIsLongSteersLess)
+{
+    StateVector x = state(0.3, 8.0, 0.04, 1.26);
+    const auto noise = [&](double length, StateRow row)
+    {
+        x(kLength) = length;
+        return processNoise(x, 0.1, kMotion)(row, row);
+    };
+    EXPECT_EQ(noise(4.0, kCurvature), noise(5.5, kCurvature));
+    EXPECT_NEAR(noise(11.0, kCurvature), 0.25 * noise(5.5, kCurvature), 1e-12);
+    EXPECT_EQ(noise(11.0, kSpeed), noise(5.5, kSpeed));
+}
+
 TEST(VariableAxisModel, NoiseDoesNotGrowAtStandstill)
 {
     const StateMatrix q = processNoise(state(0.3, 0.0, 0.1, 1.3), 0.1, kMotion);

@@ -120,9 +120,12 @@ StateMatrix processNoise(const StateVector& x, double step, const MotionOptions&
                               0.5 * v * v * Eigen::Vector3d(left.x(), left.y(), 0.0)};
 
     // Steering is bounded by the steering wheel's rate when slow and by lateral jerk when fast; a
-    // vehicle that stands shows nothing of it, so its uncertainty must not grow there.
+    // vehicle that stands shows nothing of it, so its uncertainty must not grow there. The longer
+    // the wheelbase, the less the same steering turns it.
+    constexpr double kLongestCar = 5.5;  // m
     const double rate =
-        std::min(options.maxCurvatureRate, options.lateralJerk / std::max(v * v, 1e-6));
+        std::min(options.maxCurvatureRate, options.lateralJerk / std::max(v * v, 1e-6)) *
+        std::min(1.0, kLongestCar / x(kLength));
     const double moving = std::min(1.0, std::abs(v) / 0.5);
 
     StateMatrix q =
