@@ -108,6 +108,25 @@ TEST(LayersOfEnd, AgreeWithAllHitsWhereHeightsAreMixed)
                 1e-3);
 }
 
+TEST(LayersOfEnd, OfTrucksMayBeWhatTheMeasurementFollowsAlready)
+{
+    const auto headingOf = [](double turn, double sigma, double height)
+    {
+        Sighting rear = rearTurned(turn);
+        rear.height = height;
+        rear.measurement.covariance(2, 2) = sigma * sigma;
+        return withTurnOfLayers(rear, boxAndFrame()).box.heading;
+    };
+    const double all = turnOfAll(boxAndFrame());
+    for (const double sigma : {0.002, 0.08})
+    {
+        EXPECT_NEAR(headingOf(0.0, sigma, 3.0), 0.0, 1e-3) << sigma;
+        EXPECT_NEAR(headingOf(all, sigma, 3.0), 0.0, 0.02) << sigma;
+    }
+    // What is lower may be bowed: then rows, and all hits, are turned against its heading.
+    EXPECT_LT(headingOf(0.0, 0.08, 1.5), -0.3);
+}
+
 TEST(LayersOfEnd, LeaveAloneWhatShowsMore)
 {
     const Sighting piece = rearTurned(0.35);

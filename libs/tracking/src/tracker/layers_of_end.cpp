@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "tracker/discriminate.h"
 #include "types/box_changes.h"
 
 namespace vdamf
@@ -84,6 +85,28 @@ std::optional<Slope> slopeOf(const Layers& layers)
     return slope;
 }
 
+// Trucks' ends are flat, and of all their rows a measurement may follow one. The ends of others are
+// bowed, so that their rows are turned where a piece of them is seen.
+bool isFlat(double height)
+{
+    return height >= kLowestTruck;
+}
+
+// By which rows of one height each are turned against what the measurement followed, rad.
+double turnTold(const Slope& slope, double height)
+{
+    const double byRows = std::atan(slope.within);
+    const double overAll = byRows - std::atan(slope.ofAll);
+    return isFlat(height) && std::abs(byRows) < std::abs(overAll) ? byRows : overAll;
+}
+
+// Which error of the measurement such a turn shows by itself, rad.
+double errorTold(double turn, double height)
+{
+    constexpr double kSigmas = 3.0;
+    return isFlat(height) ? std::abs(turn) / kSigmas : 0.0;
+}
+
 // To the left, m: the middle of the layer that reaches farthest.
 double middleOfOutermost(const Layers& layers, double slope)
 {
@@ -110,9 +133,10 @@ Measurement withTurnOfLayers(const Sighting& sighting, const HitsAtOneTime& seen
     const double sign = m.facesSeen.has(Face::Front) ? 1.0 : -1.0;
     const Layers layers = layersOf(m, sign, *seen.each);
     const auto slope = slopeOf(layers);
-    if (!slope || slope->sigma > std::sqrt(m.covariance(2, 2))) return m;
-    const double turn = sign * (std::atan(slope->within) - std::atan(slope->ofAll));
-    if (std::abs(turn) > kMostTurn) return m;
+    if (!slope) return m;
+    const double turn = sign * turnTold(*slope, sighting.height);
+    const double error = std::max(std::sqrt(m.covariance(2, 2)), errorTold(turn, sighting.height));
+    if (std::abs(turn) > kMostTurn || slope->sigma > error) return m;
     // About where the end is seen, which stays.
     const Eigen::Matrix2d axes = rotation(m.box.heading);
     const Eigen::Vector2d pivot = m.box.centre() + 0.5 * sign * m.box.length * axes.col(0) +
