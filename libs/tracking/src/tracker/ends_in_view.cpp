@@ -71,7 +71,9 @@ PastEnd viewPast(const Eigen::Vector2d& place, const std::vector<double>& slopes
     const double height = frame.sensorZ + lowest[kInRow - 1] * range - sighting.groundZ;
     return height > kCab ? PastEnd::Upper : PastEnd::Open;
 }
-// How far inside of the box foretold a face measured lies beside the hits, by how far it may err.
+
+// How far inside of the box foretold a face measured lies beside the hits, and how far that box may
+// err there, its heading aside, which edges taken for faces have made uncertain.
 struct Inside
 {
     double metres = 0.0;
@@ -88,7 +90,6 @@ Inside insideOf(const VehicleState& foretold, const OrientedBox& box, int axis, 
     const Eigen::Vector2d place = toBoxFrame(before, box.centre() + rotation(box.heading) * beside);
     StateVector change = StateVector::Zero();
     change.head<2>() = signOfEnd(end) * rotation(before.heading).col(axis);
-    change(kHeading) = signOfEnd(end) * (axis == 0 ? -place.y() : place.x());
     change(kLength) = axis == 0 ? 0.5 : 0.0;
     const double variance = change.dot(foretold.covariance * change) +
                             (axis == 1 ? 0.25 * foretold.widthVariance : 0.0);
