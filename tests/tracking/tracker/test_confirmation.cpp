@@ -79,7 +79,7 @@ TEST_F(Confirmation, WaitsForAWhileWhereAxesAreUndecided)
         return track_.sightings;
     };
     options_.lifecycle.confirmAxes = 0.99;
-    EXPECT_EQ(sightingsUntilConfirmed(), 7);
+    EXPECT_EQ(sightingsUntilConfirmed(), 13);
     EXPECT_LT(track_.front.axesProbability(), 0.99);
     options_.lifecycle.confirmAxes = 0.0;
     EXPECT_EQ(sightingsUntilConfirmed(), 4);  // of which one is for the speed
@@ -105,26 +105,64 @@ TEST_F(Confirmation, WaitsForAWhileWhereWhatMayBeMovingMayDriveEitherWay)
     EXPECT_NEAR(track_.front.forwardProbability(), 0.5, 0.1);
 }
 
+// What is seen for sure to stand, with its side in view.
+Track standing()
+{
+    Track track;
+    track.hits = 100;
+    track.state.mean(kLength) = 4.3;
+    track.state.covariance(kSpeed, kSpeed) = 0.04;
+    track.hypotheses->driving.front().covariance(kSpeed, kSpeed) = 0.04;
+    HeadingCues side;
+    side.side = FaceExtent{4.3, 1.0};
+    track.front = HeadingBelief(side);
+    return track;
+}
+
+int sightingsUntilConfirmed(Track track, const LifecycleOptions& options)
+{
+    for (track.sightings = 2; track.sightings < 50; ++track.sightings)
+        if (withConfirmation(track, options).status == TrackStatus::Confirmed) break;
+    return track.sightings;
+}
+
 TEST_F(Confirmation, OfFewHitsWhatMayDriveIsNotTakenToStand)
 {
     // It seems to stand, and if it drives, it does so at 0 +- 2 m/s.
-    Track seemsToStand;
-    seemsToStand.sightings = 3;
-    seemsToStand.state.covariance(kSpeed, kSpeed) = 0.04;
-    seemsToStand.hypotheses->driving.front().covariance(kSpeed, kSpeed) = 4.0;
-    HeadingCues side;
-    side.side = FaceExtent{4.3, 1.0};
-    seemsToStand.front = HeadingBelief(side);
-    const auto statusWith = [&](int hits, int sightings)
-    {
-        Track track = seemsToStand;
-        track.hits = hits;
-        track.sightings = sightings;
-        return withConfirmation(track, options_.lifecycle).status;
-    };
-    EXPECT_EQ(statusWith(100, 3), TrackStatus::Confirmed);
-    EXPECT_EQ(statusWith(15, 3), TrackStatus::Tentative);
-    EXPECT_EQ(statusWith(15, 7), TrackStatus::Confirmed);
+    Track track = standing();
+    track.hypotheses->driving.front().covariance(kSpeed, kSpeed) = 4.0;
+    EXPECT_EQ(sightingsUntilConfirmed(track, options_.lifecycle), 3);
+    track.hits = 15;
+    EXPECT_EQ(sightingsUntilConfirmed(track, options_.lifecycle), 7);
+}
+
+TEST_F(Confirmation, OfFewHitsWhatDrivesMayBeOnParkedCarsInTurn)
+{
+    Track track = standing();
+    track.state.mean(kSpeed) = track.hypotheses->driving.front().mean(kSpeed) = 20.0;
+    HeadingCues cues;
+    cues.side = FaceExtent{4.3, 1.0};
+    cues.course = HeadingCues::Course{0.0, 20.0};
+    for (int k = 0; k < 10; ++k) track.front = track.front.after(cues);
+    ASSERT_GT(track.front.forwardProbability(), 0.9);
+    EXPECT_EQ(sightingsUntilConfirmed(track, options_.lifecycle), 3);
+    track.hits = 15;
+    EXPECT_EQ(sightingsUntilConfirmed(track, options_.lifecycle), 7);
+}
+
+TEST_F(Confirmation, WaitsForMoreThanThePieceOfAVehicle)
+{
+    Track piece = standing();
+    piece.judgement.probability = 0.5;
+    EXPECT_EQ(sightingsUntilConfirmed(piece, options_.lifecycle), 3);
+    piece.state.mean(kLength) = 1.3;
+    EXPECT_EQ(sightingsUntilConfirmed(piece, options_.lifecycle), 33);
+    Track none = piece;
+    none.judgement.probability = 0.01;
+    EXPECT_EQ(sightingsUntilConfirmed(none, options_.lifecycle), 3);
+    Track rider = piece;
+    rider.isFaceless = true;
+    EXPECT_EQ(sightingsUntilConfirmed(rider, options_.lifecycle), 3);
 }
 
 TEST_F(Confirmation, BeginsAnewWhereAxesAreExchanged)

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "vdamf/tracking/estimation/assumed_size.h"
+
 namespace vdamf
 {
 namespace
@@ -38,6 +40,42 @@ double farthestIn(const OrientedBox& box, const Eigen::Vector2d& sensor, const E
         last = std::min(last, (leaves - from(axis)) / along(axis));
     }
     return last;
+}
+// Whether it may be a vehicle, and is no longer than a piece of one.
+bool isPiece(const Track& track)
+{
+    constexpr double kMayBe = 0.1;  // probability
+    return !track.isFaceless && track.judgement.probability > kMayBe &&
+           track.box().length < kShortestCar;
+}
+
+// Whether the speed is not known yet, nor which way what may be moving drives.
+bool isSpeedVague(const Track& track, const LifecycleOptions& options)
+{
+    constexpr double kStill = 1.0;  // m/s
+    // Of few hits, what drives seems to stand at first, and they may be of one parked car after the
+    // other: as fast as it may be if it does not stand.
+    constexpr int kFewHits = 25;
+    const bool isFew = track.hits < kFewHits;
+    const VehicleState& told = isFew ? track.hypotheses->driving.front() : track.state;
+    const double fastest =
+        std::abs(told.mean(kSpeed)) + 2.0 * std::sqrt(told.covariance(kSpeed, kSpeed));
+    const double forward =
+        std::min(track.front.forwardProbability(), track.front.forwardProbabilityByCourse());
+    return std::sqrt(track.state.covariance(kSpeed, kSpeed)) > options.confirmSpeedSigma ||
+           (fastest > kStill && (isFew || forward < options.confirmAxes));
+}
+
+// Sightings more that it takes to confirm a track. What may still be across is not where its box
+// is, and even less so is the vehicle of which only a piece was seen; but neither may ever tell.
+int patienceWith(const Track& track, const LifecycleOptions& options)
+{
+    constexpr int kForSpeed = 4;
+    constexpr int kForAxes = 10;
+    constexpr int kForVehicle = 30;
+    if (isPiece(track)) return kForVehicle;
+    if (track.front.axesProbability() < options.confirmAxes) return kForAxes;
+    return isSpeedVague(track, options) ? kForSpeed : 0;
 }
 }  // namespace
 
@@ -103,23 +141,8 @@ Track withHit(Track track, double time, const LifecycleOptions& options)
 
 Track withConfirmation(Track track, const LifecycleOptions& options)
 {
-    // What may still be across is waited for, but not for long: two-wheelers never tell.
-    constexpr int kPatience = 4;    // sightings
-    constexpr double kStill = 1.0;  // m/s
     const int sightings = track.sightings - track.startedAt + 1;
-    const double speedSigma = std::sqrt(track.state.covariance(kSpeed, kSpeed));
-    // Of few hits, what drives seems to stand at first: as fast as it may be if it does not.
-    constexpr int kFewHits = 25;
-    const VehicleState& told =
-        track.hits < kFewHits ? track.hypotheses->driving.front() : track.state;
-    const double fastest =
-        std::abs(told.mean(kSpeed)) + 2.0 * std::sqrt(told.covariance(kSpeed, kSpeed));
-    const double forward =
-        std::min(track.front.forwardProbability(), track.front.forwardProbabilityByCourse());
-    const bool isVague = track.front.axesProbability() < options.confirmAxes ||
-                         speedSigma > options.confirmSpeedSigma ||
-                         (fastest > kStill && forward < options.confirmAxes);
-    const int enough = options.confirmHits + (isVague ? kPatience : 0);
+    const int enough = options.confirmHits + patienceWith(track, options);
     if (track.status == TrackStatus::Coasting || sightings >= enough)
         track.status = TrackStatus::Confirmed;
     return track;

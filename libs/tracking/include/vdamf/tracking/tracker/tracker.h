@@ -43,13 +43,14 @@ struct LifecycleOptions
         field(self.maxExtent, "max_extent_m", 3.0, 60.0,
               "largest diagonal of a cluster that starts a track");
         field(self.confirmHits, "confirm_hits", 1, 50, "measured frames that confirm a track");
-        field(self.confirmAxes, "confirm_axes_probability", 0.0, 0.99,
-              "that length and width are not exchanged, nor front and rear of what may be moving, "
-              "from which a track is confirmed then; one that is less certain waits for four more "
-              "measured frames");
+        field(
+            self.confirmAxes, "confirm_axes_probability", 0.0, 0.99,
+            "that length and width are not exchanged, nor front and rear of what may be moving, "
+            "from which a track is confirmed then; where the former may be, it waits for ten more "
+            "measured frames, for the front for four");
         field(self.confirmSpeedSigma, "confirm_speed_sigma_mps", 0.1, 40.0,
               "standard deviation of a track's speed up to which it is confirmed then; one that is "
-              "known less waits as long");
+              "known less, or by few hits, waits for four more");
         field(self.hitProbability, "hit_probability", 0.1, 0.99,
               "that an object in full view has hits: each frame in which the sensor sees through "
               "where it ought to be speaks against it; hidden behind something nearer it is not "
