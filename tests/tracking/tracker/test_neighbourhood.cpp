@@ -116,6 +116,22 @@ TEST(Neighbourhood, ATrackIsNoNeighbourOfItselfNorIsWhatIsNotPublished)
     EXPECT_EQ(evidence({self, tentative}, {0, 0, 0, 4.3, 1.8}), 0.0);
 }
 
+TEST(Neighbourhood, WhoIsNotPublishedYetSpeaksOnceItsAxesAreKnown)
+{
+    Track waiting = parkedAt(1, 6.0, 0.0, 0.0);
+    waiting.status = TrackStatus::Tentative;
+    waiting.sightings = 3;
+    EXPECT_GT(evidence({waiting}, {0, 0, 0, 4.3, 1.8}), 0.5);
+    Track vague = waiting;
+    vague.front = HeadingBelief();
+    EXPECT_EQ(evidence({vague}, {0, 0, 0, 4.3, 1.8}), 0.0);
+    Track piece = waiting;
+    piece.state.mean(kLength) = 1.5;
+    EXPECT_EQ(evidence({piece}, {0, 0, 0, 4.3, 1.8}), 0.0);
+    waiting.sightings = 2;
+    EXPECT_EQ(evidence({waiting}, {0, 0, 0, 4.3, 1.8}), 0.0);
+}
+
 TEST(Neighbourhood, WhoKnowsNothingOfItsOwnAxesSaysNothing)
 {
     Track vague = parkedAt(1, 5.0, 0.0, 0.0);

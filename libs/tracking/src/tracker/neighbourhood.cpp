@@ -6,6 +6,7 @@
 
 #include "types/box_changes.h"
 #include "types/box_extent.h"
+#include "vdamf/tracking/estimation/assumed_size.h"
 #include "vdamf/tracking/estimation/start_state.h"
 
 namespace vdamf
@@ -65,16 +66,22 @@ bool areInLine(const OrientedBox& a, const OrientedBox& b)
            std::abs(toBoxFrame(b, a.centre()).y()) < kLineHalfWidth;
 }
 
-bool isPublished(const Track& track)
+// Published, or on its way to it with a vehicle's box whose axes are sure.
+bool isKnown(const Track& track)
 {
-    return track.status == TrackStatus::Confirmed || track.status == TrackStatus::Coasting;
+    constexpr int kSightings = 3;
+    constexpr double kSureAxes = 0.9;  // probability
+    if (track.status == TrackStatus::Ended) return false;
+    if (track.status != TrackStatus::Tentative) return true;
+    return track.sightings - track.startedAt + 1 >= kSightings &&
+           track.front.axesProbability() >= kSureAxes && track.box().length >= kShortestCar;
 }
 
 std::vector<PlaneBounds> boundsOf(const std::vector<Track>& tracks)
 {
     std::vector<PlaneBounds> bounds;
     for (const Track& track : tracks)
-        if (isPublished(track)) bounds.push_back(PlaneBounds::around(track.box().centre(), 0.0));
+        if (isKnown(track)) bounds.push_back(PlaneBounds::around(track.box().centre(), 0.0));
     return bounds;
 }
 }  // namespace
@@ -84,7 +91,7 @@ Neighbourhood::Neighbourhood(const std::vector<Track>& tracks, const Discriminat
 {
     for (const Track& track : tracks)
     {
-        if (!isPublished(track)) continue;
+        if (!isKnown(track)) continue;
         const double vehicle = discriminator.vehicleProbability(track);
         neighbours_.push_back({track.id, track.box(), track.misses == 0,
                                track.state.covariance(kHeading, kHeading),

@@ -21,7 +21,7 @@ struct HeadingPrior
     double variance = 0.0;  ///< rad^2
 };
 
-/// The published tracks of a frame, as neighbours of others.
+/// The tracks of a frame that are published, or whose axes are known, as neighbours of others.
 class Neighbourhood
 {
 public:
