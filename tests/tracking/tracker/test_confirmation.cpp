@@ -150,6 +150,16 @@ TEST_F(Confirmation, OfFewHitsWhatDrivesMayBeOnParkedCarsInTurn)
     EXPECT_EQ(sightingsUntilConfirmed(track, options_.lifecycle), 7);
 }
 
+TEST_F(Confirmation, WaitsLongerWhereFewHitsDoNotTellTheAxes)
+{
+    Track track = standing();
+    track.front = HeadingBelief();
+    ASSERT_LT(track.front.axesProbability(), options_.lifecycle.confirmAxes);
+    EXPECT_EQ(sightingsUntilConfirmed(track, options_.lifecycle), 13);
+    track.hits = 15;
+    EXPECT_EQ(sightingsUntilConfirmed(track, options_.lifecycle), 33);
+}
+
 TEST_F(Confirmation, WaitsForMoreThanThePieceOfAVehicle)
 {
     Track piece = standing();

@@ -41,6 +41,12 @@ double farthestIn(const OrientedBox& box, const Eigen::Vector2d& sensor, const E
     }
     return last;
 }
+// What fewer hits tell may be of one parked car after the other.
+bool isHardlySeen(const Track& track)
+{
+    return track.hits < 25;
+}
+
 // Whether it may be a vehicle, and is no longer than a piece of one.
 bool isPiece(const Track& track)
 {
@@ -53,10 +59,8 @@ bool isPiece(const Track& track)
 bool isSpeedVague(const Track& track, const LifecycleOptions& options)
 {
     constexpr double kStill = 1.0;  // m/s
-    // Of few hits, what drives seems to stand at first, and they may be of one parked car after the
-    // other: as fast as it may be if it does not stand.
-    constexpr int kFewHits = 25;
-    const bool isFew = track.hits < kFewHits;
+    // Of few hits, what drives seems to stand at first: as fast as it may be if it does not.
+    const bool isFew = isHardlySeen(track);
     const VehicleState& told = isFew ? track.hypotheses->driving.front() : track.state;
     const double fastest =
         std::abs(told.mean(kSpeed)) + 2.0 * std::sqrt(told.covariance(kSpeed, kSpeed));
@@ -72,9 +76,10 @@ int patienceWith(const Track& track, const LifecycleOptions& options)
 {
     constexpr int kForSpeed = 4;
     constexpr int kForAxes = 10;
-    constexpr int kForVehicle = 30;
-    if (isPiece(track)) return kForVehicle;
-    if (track.front.axesProbability() < options.confirmAxes) return kForAxes;
+    constexpr int kForMoreHits = 30;
+    const bool mayBeAcross = track.front.axesProbability() < options.confirmAxes;
+    if (isPiece(track) || (mayBeAcross && isHardlySeen(track))) return kForMoreHits;
+    if (mayBeAcross) return kForAxes;
     return isSpeedVague(track, options) ? kForSpeed : 0;
 }
 }  // namespace
