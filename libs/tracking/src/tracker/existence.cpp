@@ -41,6 +41,7 @@ double farthestIn(const OrientedBox& box, const Eigen::Vector2d& sensor, const E
     }
     return last;
 }
+
 // What fewer hits tell may be of one parked car after the other.
 bool isHardlySeen(const Track& track)
 {
@@ -146,9 +147,8 @@ Track withHit(Track track, double time, const LifecycleOptions& options)
 
 Track withConfirmation(Track track, const LifecycleOptions& options)
 {
-    const int sightings = track.sightings - track.startedAt + 1;
     const int enough = options.confirmHits + patienceWith(track, options);
-    if (track.status == TrackStatus::Coasting || sightings >= enough)
+    if (track.status == TrackStatus::Coasting || track.sightingsOfState() >= enough)
         track.status = TrackStatus::Confirmed;
     return track;
 }

@@ -73,8 +73,8 @@ bool isKnown(const Track& track)
     constexpr double kSureAxes = 0.9;  // probability
     if (track.status == TrackStatus::Ended) return false;
     if (track.status != TrackStatus::Tentative) return true;
-    return track.sightings - track.startedAt + 1 >= kSightings &&
-           track.front.axesProbability() >= kSureAxes && track.box().length >= kShortestCar;
+    return track.sightingsOfState() >= kSightings && track.front.axesProbability() >= kSureAxes &&
+           track.box().length >= kShortestCar;
 }
 
 std::vector<PlaneBounds> boundsOf(const std::vector<Track>& tracks)

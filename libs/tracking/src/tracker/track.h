@@ -82,6 +82,8 @@ struct Track
     std::optional<double> nis;
 
     OrientedBox box() const { return state.box(); }
+    /// That its state was told by.
+    int sightingsOfState() const { return sightings - startedAt + 1; }
     /// It likelier did than not, before the last prediction.
     bool stood() const { return stoodProbability >= 0.5; }
     /// Where its hits should be if it is as large as the last ones were.

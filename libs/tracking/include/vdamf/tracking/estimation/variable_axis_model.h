@@ -79,7 +79,8 @@ StateVector predictState(const StateVector& state, double dt, const MotionOption
 StateMatrix transitionJacobian(const StateVector& state, double dt, const MotionOptions& options);
 
 /// Covariance of the process noise over dt seconds from `state` (negative: of what led there). Of
-/// white changes of speed and curvature, so that many short steps add up to a long one.
+/// white changes of speed and curvature, so that many short steps add up to a long one. The
+/// curvature of what is longer than 5.5 m changes less, by that over its length.
 StateMatrix processNoise(const StateVector& state, double dt, const MotionOptions& options);
 
 /// The state with its heading wrapped and curvature, axis offset and size within their bounds:

@@ -47,7 +47,7 @@ struct LifecycleOptions
             self.confirmAxes, "confirm_axes_probability", 0.0, 0.99,
             "that length and width are not exchanged, nor front and rear of what may be moving, "
             "from which a track is confirmed then; where the former may be, it waits for ten more "
-            "measured frames, for the front for four");
+            "measured frames, of few hits for thirty, for the front for four");
         field(self.confirmSpeedSigma, "confirm_speed_sigma_mps", 0.1, 40.0,
               "standard deviation of a track's speed up to which it is confirmed then; one that is "
               "known less, or by few hits, waits for four more");
