@@ -108,7 +108,7 @@ TEST(Neighbourhood, WhatIsSeenWholeIsBelievedMoreThanAllAroundIt)
     EXPECT_EQ(belief.turnDue(kLikelier) % 2, 1);
 }
 
-TEST(Neighbourhood, ATrackIsNoNeighbourOfItselfNorIsWhatIsNotPublished)
+TEST(Neighbourhood, ATrackIsNoNeighbourOfItselfNorIsWhatHasJustBegun)
 {
     Track self = parkedAt(kSelf, 1.0, 0.0, 0.0);
     Track tentative = parkedAt(1, 1.0, 0.0, 0.0);

@@ -42,7 +42,9 @@ struct LifecycleOptions
               "least height of a cluster that starts a track");
         field(self.maxExtent, "max_extent_m", 3.0, 60.0,
               "largest diagonal of a cluster that starts a track");
-        field(self.confirmHits, "confirm_hits", 1, 50, "measured frames that confirm a track");
+        field(self.confirmHits, "confirm_hits", 1, 50,
+              "measured frames that confirm a track; thirty more of what may be a vehicle and is "
+              "shorter than any car");
         field(
             self.confirmAxes, "confirm_axes_probability", 0.0, 0.99,
             "that length and width are not exchanged, nor front and rear of what may be moving, "
