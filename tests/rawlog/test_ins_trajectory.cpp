@@ -5,6 +5,7 @@
 #include <mrpt/obs/CSensoryFrame.h>
 
 #include <cmath>
+#include <random>
 
 #include "example_car.h"
 #include "example_objects.h"
@@ -102,6 +103,42 @@ TEST(InsTrajectory, ExtrapolatesAShortWay)
     EXPECT_FALSE(ins.at(kStart + 0.26));
 }
 
+// Positions in 100 Hz that err by 5 cm, without those between two times.
+InsTrajectory noisyAround(double from, double to)
+{
+    InsTrajectory ins{InsOptions{}};
+    std::mt19937 random(7);
+    std::normal_distribution<double> noise(0.0, 0.05);
+    for (double t = 0.0; t < 30.0; t += 0.01)
+    {
+        auto pose = robotPose(t);
+        pose.pose.mean.x_incr(noise(random));
+        pose.pose.mean.y_incr(noise(random));
+        if (t <= from || t >= to) ins.insert(pose);
+    }
+    return ins;
+}
+
+TEST(InsTrajectory, CarriesNoNoiseAcrossAGap)
+{
+    double bridged = 0.0;
+    double beyond = 0.0;
+    int gaps = 0;
+    for (double from = 2.0; from < 28.0; from += 1.0, ++gaps)
+    {
+        const InsTrajectory ins = noisyAround(from, from + 0.45);
+        const InsTrajectory open = noisyAround(from, from + 1.0);
+        for (const double t : {from + 0.1, from + 0.225, from + 0.35})
+            bridged += (ins.at(kStart + t)->position - Car::fromStart(t)).squaredNorm() / 3.0;
+        for (const double t : {from + 0.13, from + 0.87})
+            beyond += (open.at(kStart + t)->position - Car::fromStart(t)).squaredNorm() / 2.0;
+    }
+    // Two coordinates of 5 cm each are 0.07 m. Slopes between neighbours made 0.4 and 0.9 m of
+    // them.
+    EXPECT_LT(std::sqrt(bridged / gaps), 0.1);
+    EXPECT_LT(std::sqrt(beyond / gaps), 0.3);
+}
+
 TEST(InsTrajectory, SortsAndDropsDuplicates)
 {
     InsTrajectory ins{InsOptions{}};
@@ -186,6 +223,17 @@ TEST(InsTrajectory, ForgetsWithoutLosingWhatIsNeeded)
         ASSERT_LT((pose->position - Car::fromStart(t - 0.45)).norm(), 1e-3) << t;
     }
     EXPECT_FALSE(ins.at(kStart + 50.0));
+}
+
+TEST(InsTrajectory, ForgetsNothingThatTellsOfAGap)
+{
+    InsTrajectory all = noisyAround(20.0, 20.45);
+    InsTrajectory some = noisyAround(20.0, 20.45);
+    for (const double t : {20.05, 20.25, 20.4})
+    {
+        some.forgetBefore(kStart + t);
+        EXPECT_EQ(all.at(kStart + t)->position, some.at(kStart + t)->position) << t;
+    }
 }
 
 }  // namespace

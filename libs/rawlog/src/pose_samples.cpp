@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "heading_of.h"
 
@@ -13,6 +14,9 @@ namespace
 // The course at a sample looks back to positions this much older at most.
 constexpr double kCourseMemory = 3.0;
 constexpr double kSoon = 1.0;  // s
+// Velocities into an interval take in samples that are this much of its length away: into a gap,
+// that between neighbours would carry their noise, times its length over theirs.
+constexpr double kLookAround = 0.5;
 
 bool earlier(const PoseSample& sample, double time)
 {
@@ -68,8 +72,11 @@ bool PoseSamples::insert(const PoseSample& sample)
 
 void PoseSamples::forgetBefore(double time)
 {
-    // Two samples before the interval give its velocity; more, the course.
-    while (samples_.size() > 3 && samples_[3].time < time &&
+    // Samples before the interval, which may be as long as a gap, give its velocity; more, the
+    // course.
+    const double forVelocity =
+        (1.0 + kLookAround) * std::max(options_.maxGap, options_.maxExtrapolation);
+    while (samples_.size() > 3 && samples_[3].time < time - forVelocity &&
            (samples_.front().attitude || samples_.front().time < time - kCourseMemory))
     {
         addGap(forgotten_, samples_[0], samples_[1], options_.maxGap);
@@ -122,10 +129,28 @@ std::optional<VehiclePose> PoseSamples::at(double time) const
     if (connected(i)) return interpolated(i, time);
     if (i >= 2 && connected(i - 1))
     {
-        if (auto pose = extrapolated(i - 1, i - 2, time)) return pose;
+        const std::size_t other = before(i - 1, kLookAround * (time - samples_[i - 1].time));
+        if (auto pose = extrapolated(i - 1, other, time)) return pose;
     }
-    if (i < count && connected(i + 1)) return extrapolated(i, i + 1, time);
+    if (i < count && connected(i + 1))
+        return extrapolated(i, after(i, kLookAround * (samples_[i].time - time)), time);
     return std::nullopt;
+}
+
+/// The newest sample at least `reach` seconds before sample i; where gaps cut it off, the oldest
+/// one behind them; i itself if there is none.
+std::size_t PoseSamples::before(std::size_t i, double reach) const
+{
+    std::size_t k = i;
+    while (connected(k) && (k == i || samples_[i].time - samples_[k].time < reach)) --k;
+    return k;
+}
+
+std::size_t PoseSamples::after(std::size_t i, double reach) const
+{
+    std::size_t k = i;
+    while (connected(k + 1) && (k == i || samples_[k].time - samples_[i].time < reach)) ++k;
+    return k;
 }
 
 /// In the interval before sample i.
@@ -140,13 +165,14 @@ std::optional<VehiclePose> PoseSamples::interpolated(std::size_t i, double time)
     const double s = (time - a.time) / h;
     // Cubic Hermite.
     const double r = 1.0 - s;
+    const auto [atA, atB] = velocitiesIn(i);
     const Eigen::Vector3d position = r * r * (1.0 + 2.0 * s) * a.position +
                                      s * s * (1.0 + 2.0 * r) * b.position +
-                                     h * s * r * (r * velocityOf(i - 1) - s * velocityOf(i));
+                                     h * s * r * (r * atA - s * atB);
     return poseOf(time, position, from->slerp(s, *to), i);
 }
 
-/// Beyond sample `from`, away from its neighbour `other`, with the motion between the two.
+/// Beyond sample `from`, away from `other`, with the motion between the two.
 std::optional<VehiclePose> PoseSamples::extrapolated(std::size_t from, std::size_t other,
                                                      double time) const
 {
@@ -169,23 +195,24 @@ VehiclePose PoseSamples::poseOf(double time, const Eigen::Vector3d& position,
     return {time, position - attitude * samples_[like].antenna, attitude.normalized()};
 }
 
-Eigen::Vector3d PoseSamples::velocityOf(std::size_t i) const
+/// At both ends of the interval before sample i: of the parabolas through them and what lies before
+/// and after; where nothing does, of the other one of them.
+std::pair<Eigen::Vector3d, Eigen::Vector3d> PoseSamples::velocitiesIn(std::size_t i) const
 {
-    const bool before = connected(i);
-    const bool after = connected(i + 1);
-    if (before && after) return slopeAt(samples_[i - 1], samples_[i], samples_[i + 1]);
-    // At an end: that of the parabola through the three samples there.
-    if (after && connected(i + 2))
+    const PoseSample& a = samples_[i - 1];
+    const PoseSample& b = samples_[i];
+    const double reach = kLookAround * (b.time - a.time);
+    const std::size_t first = before(i - 1, reach);
+    const std::size_t last = after(i, reach);
+    const Eigen::Vector3d between = slope(a, b);
+    if (first == i - 1 && last == i) return {between, between};
+    if (first == i - 1)
     {
-        return 2.0 * slope(samples_[i], samples_[i + 1]) -
-               slopeAt(samples_[i], samples_[i + 1], samples_[i + 2]);
+        const Eigen::Vector3d atB = slopeAt(a, b, samples_[last]);
+        return {2.0 * between - atB, atB};
     }
-    if (before && connected(i - 1))
-    {
-        return 2.0 * slope(samples_[i - 1], samples_[i]) -
-               slopeAt(samples_[i - 2], samples_[i - 1], samples_[i]);
-    }
-    return after ? slope(samples_[i], samples_[i + 1]) : slope(samples_[i - 1], samples_[i]);
+    const Eigen::Vector3d atA = slopeAt(samples_[first], a, b);
+    return {atA, last == i ? 2.0 * between - atA : slopeAt(a, b, samples_[last])};
 }
 
 std::optional<Eigen::Quaterniond> PoseSamples::attitudeOf(std::size_t i) const

@@ -6,6 +6,7 @@
 #include <deque>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "imu_attitudes.h"
 #include "vdamf/rawlog/ins_trajectory.h"
@@ -50,7 +51,9 @@ private:
     std::optional<double> courseOf(std::size_t i) const;
     std::optional<std::size_t> drivenBefore(std::size_t i) const;
     std::optional<std::size_t> drivenAfter(std::size_t i) const;
-    Eigen::Vector3d velocityOf(std::size_t i) const;
+    std::size_t before(std::size_t i, double reach) const;
+    std::size_t after(std::size_t i, double reach) const;
+    std::pair<Eigen::Vector3d, Eigen::Vector3d> velocitiesIn(std::size_t i) const;
     VehiclePose poseOf(double time, const Eigen::Vector3d& position,
                        const Eigen::Quaterniond& attitude, std::size_t like) const;
 

@@ -114,7 +114,8 @@ struct InsReport
 };
 
 /// The vehicle's path from its INS: cubic Hermite interpolation for the position (from the
-/// positions of the neighbours), spherical for the attitude. Memory is bounded by forgetBefore().
+/// positions before and after the interval, across a gap from as far as half of its length away),
+/// spherical for the attitude. Memory is bounded by forgetBefore().
 ///
 /// GPS positions without attitude take the course as heading: between the positions driven, at
 /// least minCourseDistance away, before and after; kept at standstill. So they hold for a vehicle
@@ -137,8 +138,8 @@ public:
     void insert(const VehicleMovement& movement);
 
     /// Pose at a time; nothing before the first sample, after the last one or inside a gap (save
-    /// the allowed extrapolation at either side, which takes the speed of the interval before), and
-    /// nothing while the heading is unknown. The first call fixes the source.
+    /// the allowed extrapolation at either side, which takes the speed over half as long before),
+    /// and nothing while the heading is unknown. The first call fixes the source.
     std::optional<VehiclePose> at(double time) const;
 
     /// True when a sample at or after `time` has been inserted, so that waiting brings nothing.
