@@ -14,7 +14,6 @@ constexpr double kCertain = 9.0;       // most of them that are kept: even habit
 constexpr double kLongest = 0.2;       // s, that count for one frame
 constexpr double kCourseRate = 20.0;   // log odds a second
 constexpr double kFrameRate = 10.0;    // frames that count for themselves, a second
-constexpr double kReverseSpeed = 4.0;  // m/s: nobody reverses faster on a road
 constexpr double kSideways = 0.5;      // cosine, below which a course is neither forth nor back
 // Who has been seen to drive forward, by so much log odds, may drive slowly in reverse as well.
 constexpr double kKnown = 4.0;
@@ -70,10 +69,12 @@ bool grown(const std::optional<FaceExtent>& before, const std::optional<FaceExte
 }
 
 // Log odds that what moves does so with its front ahead.
-double frontEvidence(double forth)
+double frontEvidence(double forth, double fast)
 {
-    constexpr double kReverse = 0.03;  // of what moves
-    const double ahead = forth * (1.0 - kReverse) + (1.0 - forth) * kReverse;
+    constexpr double kReverse = 0.03;       // of what moves
+    constexpr double kFastReverse = 0.001;  // of what moves fast, or else its heading errs
+    const double reverse = fast * kFastReverse + (1.0 - fast) * kReverse;
+    const double ahead = forth * (1.0 - reverse) + (1.0 - forth) * reverse;
     return std::log(ahead / (1.0 - ahead));
 }
 }  // namespace
@@ -125,7 +126,7 @@ HeadingBelief HeadingBelief::after(const HeadingCues& cues) const
     {
         // Whichever way it moves along an axis, both ways together are as likely as before.
         const double either = logOfSum(course_[0], course_[2]);
-        const double after = withEvidence(forth, frontEvidence(cues.forth), frames, 1.0);
+        const double after = withEvidence(forth, frontEvidence(cues.forth, cues.fast), frames, 1.0);
         next.course_[0] = either - logOfSum(0.0, -after);
         next.course_[2] = either - logOfSum(0.0, after);
     }

@@ -109,8 +109,10 @@ HeadingCues cuesOf(const Track& track, const Sighting& sighting)
     HeadingCues cues = sizeCues(sighting, track.height);
     const double turned = sighting.measurement.box.heading - track.state.mean(kHeading);
     cues.shape = track.judgement.probability * shapeCue(sighting, turned);
-    const double variance = track.state.covariance(kSpeed, kSpeed);
-    cues.forth = 0.5 * std::erfc(-track.state.mean(kSpeed) / std::sqrt(2.0 * variance));
+    const double speed = track.state.mean(kSpeed);
+    const double spread = std::sqrt(2.0 * track.state.covariance(kSpeed, kSpeed));
+    cues.forth = 0.5 * std::erfc(-speed / spread);
+    cues.fast = 0.5 * std::erfc((kReverseSpeed - std::abs(speed)) / spread);
     if (track.path.size() < 2) return cues;
     cues.dt = track.path.back().time - track.path[track.path.size() - 2].time;
     if (const auto course = steadyCourse(track))

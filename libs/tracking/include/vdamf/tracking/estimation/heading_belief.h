@@ -14,6 +14,8 @@
 
 namespace vdamf
 {
+constexpr double kReverseSpeed = 4.0;  ///< m/s: nobody reverses faster on a road
+
 /// What one frame tells of the front.
 struct HeadingCues
 {
@@ -27,6 +29,7 @@ struct HeadingCues
     };
     std::optional<Course> course;
     double forth = 0.5;  ///< probability that it moves forward along the heading, not backward
+    double fast = 0.0;   ///< probability that it is faster than anybody reverses
     std::optional<FaceExtent> side;  ///< seen, of the box as it is held
     std::optional<FaceExtent> end;   ///< seen, of the box as it is held
     double height = 1.5;             ///< of the vehicle, m
