@@ -161,6 +161,16 @@ TEST(HeadingBelief, MovingBackwardsTellsTheFrontOfWhatIsNew)
     EXPECT_EQ(afterFrames(forward, backwards, 100).turnDue(0.0), 0);
 }
 
+TEST(HeadingBelief, WhatDrivesFastDoesSoForwardWhateverItsShape)
+{
+    HeadingCues drives;
+    drives.forth = 1.0;
+    drives.shape = -4.0;
+    EXPECT_LT(afterFrames({}, drives, 10).forwardProbability(), 0.5);
+    drives.fast = 1.0;
+    EXPECT_GT(afterFrames({}, drives, 10).forwardProbability(), 0.9);
+}
+
 TEST(HeadingBelief, DrivingAcrossTurnsByAQuarter)
 {
     EXPECT_EQ(afterFrames({}, driving(0.5 * kPi, 5.0), 6).turnDue(kDecisive), 1);

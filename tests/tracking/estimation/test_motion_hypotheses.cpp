@@ -6,45 +6,14 @@
 
 #include <random>
 
+#include "tracking/estimation/follower.h"
+
 namespace vdamf
 {
 namespace
 {
-VehicleState unknownSpeed()
-{
-    VehicleState s;
-    s.mean << 0.0, 0.0, 0.0, 0.0, 0.0, 1.2, 4.5;
-    s.covariance.diagonal() << 0.01, 0.01, 1e-3, 64.0, 2.5e-3, 0.2, 0.05;
-    s.width = 1.8;
-    s.widthVariance = 0.01;
-    return s;
-}
-
-// Follows a vehicle along x, measured at 10 Hz with 6 cm of noise, or a part of it.
-class Follower
-{
-public:
-    explicit Follower(double noise = 1.0) : noise_(noise) {}
-
-    void see(double x)
-    {
-        BoxMeasurement m;
-        const auto noise = [&](double sigma) { return noise_ * sigma * gauss_(generator_); };
-        m.box << x + noise(0.06), noise(0.03), noise(0.01), 4.5 + noise(0.1), 1.8;
-        m.covariance.diagonal() << 0.0036, 0.0009, 1e-4, 0.01, 0.01;
-        hypotheses = updated(predicted(hypotheses, 0.1, filter_, options_), m, JitterShares(),
-                             filter_, 11.34);
-    }
-
-    MotionHypotheses hypotheses = hypothesesFrom(unknownSpeed(), MotionOptions());
-
-private:
-    double noise_;
-    MotionOptions options_;
-    VehicleKalmanFilter filter_{MotionOptions()};
-    std::mt19937_64 generator_{4};
-    std::normal_distribution<double> gauss_;
-};
+using test::Follower;
+using test::unknownSpeed;
 
 TEST(MotionHypotheses, AParkedCarHasNoSpeed)
 {
@@ -251,25 +220,6 @@ TEST(MotionHypotheses, MixtureHasTheSpreadOfItsMeans)
     EXPECT_NEAR(both.mean(kSpeed), 2.0, 1e-12);
     EXPECT_NEAR(both.covariance(kSpeed, kSpeed), 0.5 + 0.25 * 16.0, 1e-12);
     EXPECT_NEAR(std::abs(both.mean(kHeading)), kPi, 1e-12);
-}
-
-// Which of the two erred is not known, but for what stands.
-TEST(MotionHypotheses, SurprisesAreMetHalfwayByWhatMayMove)
-{
-    MotionOptions options;
-    options.independent = false;
-    VehicleKalmanFilter filter{options};
-    VehicleState state = unknownSpeed();
-    state.covariance(kX, kX) = 0.04;
-    state.covariance(kSpeed, kSpeed) = 0.04;
-    BoxMeasurement m;
-    m.box << 4.0, 0.0, 0.0, 4.5, 1.8;
-    m.covariance.diagonal() << 0.04, 0.04, 1e-4, 0.01, 0.01;
-    const MotionHypotheses h =
-        updated(hypothesesFrom(state, options), m, JitterShares(), filter, 11.34);
-    EXPECT_NEAR(h.driving.front().mean(kX), 2.0, 0.3);
-    EXPECT_GT(h.driving.front().covariance(kX, kX), 0.2);
-    EXPECT_LT(h.standing.mean(kX), 0.5);
 }
 
 // A pedestrian steps aside, which no wheels do.

@@ -97,9 +97,10 @@ TEST(LastGlimpse, OfAParkedCarRowsThatAreCutShortDoNotMoveIt)
     const Track after = sightedTrack(track, cut, Neighbourhood(), filter, options);
     EXPECT_LT((after.box().centre() - track.box().centre()).norm(), 0.1);
     EXPECT_LT(std::abs(after.state.mean(kSpeed)), 0.2);
-    // What is not known to stand may have moved.
+    // What is not known to stand, nor how fast it is, may have moved.
     Track mayMove = track;
     mayMove.hypotheses->standingProbability = 0.3;
+    for (VehicleState& state : mayMove.hypotheses->driving) state.covariance(kSpeed, kSpeed) = 4.0;
     const Track moved = sightedTrack(mayMove, cut, Neighbourhood(), filter, options);
     EXPECT_LT(moved.box().x, after.box().x - 0.03);
 }

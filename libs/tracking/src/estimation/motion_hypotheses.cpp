@@ -90,16 +90,16 @@ struct Foretold
 // What lies outside the gate is not jitter: the view has changed, or the vehicle did the
 // unexpected. Neither it nor the measurement was as certain as was thought, and which of them erred
 // more is not known: the update goes as far as it would have gone, and leaves as much more open.
+// Of what does not jump the measurement erred.
 VehicleState updatedState(const VehicleState& state, const Measured& measured, double wholeNis,
-                          double jitterNis, VehicleKalmanFilter& filter, double gate)
+                          double jitterNis, bool mayJump, VehicleKalmanFilter& filter, double gate)
 {
     if (jitterNis <= gate) return filter.update(state, measured.jitter);
     if (wholeNis <= gate) return filter.update(state, measured.whole);
     const double vaguer = wholeNis / gate;
     VehicleState before = state;
-    // What stands does nothing that surprises: there the measurement erred.
-    const bool mayMove = state.covariance(kSpeed, kSpeed) > 0.0;
-    if (mayMove)
+    const bool stands = state.covariance(kSpeed, kSpeed) == 0.0;
+    if (mayJump && !stands)
     {
         before.covariance *= vaguer;
         before.widthVariance *= vaguer;
@@ -107,6 +107,15 @@ VehicleState updatedState(const VehicleState& state, const Measured& measured, d
     BoxMeasurement measurement = measured.whole;
     measurement.covariance *= vaguer;
     return filter.update(before, measurement);
+}
+
+// Whether it is known what it does: no vehicle jumps from there.
+bool isKnown(const MotionHypotheses& h)
+{
+    constexpr double kStands = 0.7;      // probability
+    constexpr double kSpeedSigma = 1.0;  // m/s
+    return h.standingProbability > kStands ||
+           h.driving.front().covariance(kSpeed, kSpeed) < kSpeedSigma * kSpeedSigma;
 }
 
 // Probabilities after a measurement: that it stands, and of what moves, that it does so freely.
@@ -241,6 +250,25 @@ MotionHypotheses updated(const MotionHypotheses& h, const BoxMeasurement& measur
     const Surprises& sharp = foretold.jitter;
 
     next.unrest = h.unrest.after(sharp.each[h.kWays - 1].nis / 3.0);
+    const auto update = [&](bool mayJump, bool withStanding)
+    {
+        std::size_t number = 0;
+        next.forEach(
+            [&](VehicleState& state)
+            {
+                const std::size_t k = number++;
+                if (k != h.kWays || withStanding)
+                    state = updatedState(state, measured, foretold.whole.each[k].nis,
+                                         sharp.each[k].nis, mayJump, filter, nisGate);
+            });
+    };
+    next.surprised = foretold.whole.each.front().nis > nisGate;
+    if (next.surprised && !h.surprised && isKnown(h))
+    {
+        // A single measurement tells nothing else than that it errs; those that follow will.
+        update(false, true);
+        return next;
+    }
     next.drivingProbability = weighed(h.drivingProbability, sharp, nisGate);
 
     const Rest rests = restOf(h, sharp, nisGate);
@@ -255,16 +283,8 @@ MotionHypotheses updated(const MotionHypotheses& h, const BoxMeasurement& measur
     if (h.freeProbability > 0.0) next.freeProbability = bounded(restsByAll.free);
 
     const bool refuted = next.standingProbability < kRefuted;
-    std::size_t number = 0;
-    next.forEach(
-        [&](VehicleState& state)
-        {
-            const std::size_t k = number++;
-            if (k != h.kWays || !refuted)
-                state = updatedState(state, measured, foretold.whole.each[k].nis, sharp.each[k].nis,
-                                     filter, nisGate);
-        });
-    if (foretold.whole.each.front().nis > nisGate)
+    update(true, !refuted);
+    if (next.surprised)
         next.driving.front().covariance(kSpeed, kSpeed) += kSurpriseSigma * kSurpriseSigma;
     if (refuted)
         next.standing =

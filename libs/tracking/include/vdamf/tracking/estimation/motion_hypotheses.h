@@ -29,6 +29,7 @@ struct MotionHypotheses
     double standingProbability = 0.5;
     VehicleState free;             ///< Steering::Independent
     double freeProbability = 0.0;  ///< among those that move; 0: not tracked
+    bool surprised = false;        ///< none foretold the last measurement
 
     /// Mean and covariance of the mixture, as a state of the variable axis.
     VehicleState combined(const MotionOptions& options) const;
@@ -57,8 +58,9 @@ MotionHypotheses drifted(const MotionHypotheses& hypotheses, const Eigen::Matrix
                          double viewChange);
 
 /// All after a measurement, of whose variance a share is jitter. Where its NIS is above `nisGate`,
-/// both it and what may move are that much less certain, and of what stands it alone. A standing
-/// hypothesis that was refuted starts again where the vehicle is.
+/// both it and what may move are that much less certain, and of what stands it alone; the first
+/// time that no hypothesis foretold one of a vehicle whose speed was known, it alone for all. A
+/// standing hypothesis that was refuted starts again where the vehicle is.
 MotionHypotheses updated(const MotionHypotheses& hypotheses, const BoxMeasurement& measurement,
                          const JitterShares& jitter, VehicleKalmanFilter& filter, double nisGate);
 

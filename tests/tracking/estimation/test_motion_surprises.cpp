@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What becomes of measurements that no motion hypothesis foretold.
+#include <gtest/gtest.h>
+
+#include "tracking/estimation/follower.h"
+
+namespace vdamf
+{
+namespace
+{
+using test::Follower;
+using test::unknownSpeed;
+
+// Which of the two erred is not known, but for what stands.
+TEST(MotionSurprises, AreMetHalfwayByWhatMayMove)
+{
+    MotionOptions options;
+    options.independent = false;
+    VehicleKalmanFilter filter{options};
+    VehicleState state = unknownSpeed();
+    state.covariance(kX, kX) = 0.04;
+    state.covariance(kSpeed, kSpeed) = 4.0;
+    BoxMeasurement m;
+    m.box << 4.0, 0.0, 0.0, 4.5, 1.8;
+    m.covariance.diagonal() << 0.04, 0.04, 1e-4, 0.01, 0.01;
+    const MotionHypotheses h =
+        updated(hypothesesFrom(state, options), m, JitterShares(), filter, 11.34);
+    EXPECT_NEAR(h.driving.front().mean(kX), 2.0, 0.3);
+    EXPECT_GT(h.driving.front().covariance(kX, kX), 0.2);
+    EXPECT_LT(h.standing.mean(kX), 0.5);
+}
+
+TEST(MotionSurprises, OneJumpOfWhatIsKnownIsAnErrorOfItsMeasurement)
+{
+    for (const double speed : {0.0, 8.0})
+    {
+        Follower follower(0.3);
+        double x = 0.0;
+        for (int k = 0; k < 40; ++k) follower.see(x += 0.1 * speed);
+        const MotionHypotheses later = follower.later();
+        follower.see((x += 0.1 * speed) - 0.7);
+        EXPECT_TRUE(follower.hypotheses.surprised);
+        EXPECT_NEAR(follower.state().mean(kSpeed), speed, 0.7) << "not 7 m/s less";
+        EXPECT_EQ(follower.hypotheses.standingProbability, later.standingProbability);
+        follower.see(x += 0.1 * speed);
+        EXPECT_FALSE(follower.hypotheses.surprised);
+        EXPECT_NEAR(follower.state().mean(kX), x, 0.15);
+    }
+}
+
+TEST(MotionSurprises, WhatJumpsAndStaysThereIsThere)
+{
+    for (const double speed : {0.0, 8.0})
+    {
+        Follower follower(0.3);
+        double x = 0.0;
+        for (int k = 0; k < 40; ++k) follower.see(x += 0.1 * speed);
+        x -= 0.7;
+        for (int k = 0; k < 4; ++k) follower.see(x += 0.1 * speed);
+        EXPECT_NEAR(follower.state().mean(kX), x, 0.15);
+    }
+}
+
+}  // namespace
+}  // namespace vdamf
