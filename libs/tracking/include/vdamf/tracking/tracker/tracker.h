@@ -27,7 +27,7 @@ struct LifecycleOptions
     double maxExtent = 30.0;  ///< m
     int confirmHits = 3;
     double confirmAxes = 0.9;
-    double confirmSpeedSigma = 2.0;  ///< m/s
+    double confirmSpeedSigma = 1.5;  ///< m/s
     double hitProbability = 0.7;
     double endProbability = 0.1;
     double maxCoast = 8.0;          ///< s
