@@ -64,5 +64,23 @@ TEST(UnlikelyTurn, OfAnEndAloneLeavesItsHeadingOpen)
     EXPECT_EQ(withUnlikelyTurn(side, heading(0.0, 0.02), kHitsAt).covariance, side.covariance);
 }
 
+TEST(UnlikelyTurn, AcrossOfAxesThatAreKnownIsAnotherFace)
+{
+    for (const double turn : {-1.45, 1.45})
+    {
+        const Measurement front = turnedAbout(turn, 0.17, Face::Left);
+        const Measurement m = withKnownAxes(front, heading(0.0, 0.07), 0.99);
+        EXPECT_NEAR(m.box.heading, turn - std::copysign(0.5 * kPi, turn), 1e-12);
+        EXPECT_EQ(m.box.length, front.box.width);
+        EXPECT_EQ(m.box.width, front.box.length);
+        EXPECT_EQ(m.facesSeen.has(Face::Front), turn < 0.0);
+        EXPECT_EQ(m.facesSeen.has(Face::Back), turn > 0.0);
+        EXPECT_EQ(withKnownAxes(front, heading(0.0, 0.07), 0.9).box.heading, turn) << "axes";
+        EXPECT_EQ(withKnownAxes(front, heading(0.0, 0.3), 0.99).box.heading, turn) << "heading";
+    }
+    const Measurement turning = turnedAbout(0.7, 0.17, Face::Left);
+    EXPECT_EQ(withKnownAxes(turning, heading(0.0, 0.07), 0.99).box.heading, 0.7);
+}
+
 }  // namespace
 }  // namespace vdamf

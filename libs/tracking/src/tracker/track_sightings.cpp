@@ -214,7 +214,8 @@ Track sightedTrack(Track track, const Sighting& sighting, const Neighbourhood& a
 {
     const VisibilityOptions& visibility = options.visibility;
     const VehicleState foretold = stateAt(track.state, sighting.lag, options.motion);
-    Measurement m = alignedWith(sighting.measurement, foretold.mean(kHeading));
+    Measurement m = withKnownAxes(alignedWith(sighting.measurement, foretold.mean(kHeading)),
+                                  foretold, track.front.axesProbability());
     m = stands(track) ? turnedBack(m, track.state, sighting.around.centre())
                       : withoutShortUpperEnds(m, foretold.box());
     m = withoutShadowEdges(m, foretold, sighting.around.centre());

@@ -4,9 +4,23 @@
 #include <cmath>
 
 #include "types/box_changes.h"
+#include "vdamf/tracking/estimation/visibility.h"
 
 namespace vdamf
 {
+Measurement withKnownAxes(const Measurement& measurement, const VehicleState& foretold,
+                          double axesProbability)
+{
+    constexpr double kSure = 0.98;    // probability
+    constexpr double kTurning = 0.2;  // rad
+    constexpr double kAcross = 1.0;   // rad
+    const double turned = wrapAngle(measurement.box.heading - foretold.mean(kHeading));
+    const bool isKnown =
+        axesProbability > kSure && foretold.covariance(kHeading, kHeading) < kTurning * kTurning;
+    if (!isKnown || std::abs(turned) < kAcross) return measurement;
+    return turnedBy(measurement, turned > 0.0 ? 3 : 1);
+}
+
 Measurement withUnlikelyTurn(const Measurement& measurement, const VehicleState& foretold,
                              const Eigen::Vector2d& hits)
 {
