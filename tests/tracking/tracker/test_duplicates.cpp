@@ -47,6 +47,33 @@ TEST(Duplicates, UnlessItIsTheOneThatWasLost)
     EXPECT_EQ(goingOn({trackAt(1, 10.0, 2), trackAt(2, 11.0)}), (Ids{2}));
 }
 
+// More shows than can be its own: what starts anew there is the same vehicle.
+TEST(Duplicates, ANewBoxOfALostVehicleTakesItsIdentity)
+{
+    Track lost = trackAt(1, 10.0, 1);
+    lost.status = TrackStatus::Coasting;
+    lost.judgement.probability = 0.9;
+    Track fresh = trackAt(5, 11.0);
+    fresh.status = TrackStatus::Tentative;
+    fresh.judgement.probability = 0.9;
+    const auto boxes = [](const Track& a, const Track& b) {
+        return std::vector<OrientedBox>{a.box(), b.box()};
+    };
+    const std::vector<Track> tracks = withDuplicatesEnded({lost, fresh}, boxes(lost, fresh));
+    EXPECT_EQ(tracks[0].id, 1u);
+    EXPECT_EQ(tracks[0].state.mean(kX), 11.0);
+    EXPECT_EQ(tracks[0].status, TrackStatus::Tentative);
+    EXPECT_EQ(tracks[1].id, 5u);
+    EXPECT_EQ(tracks[1].status, TrackStatus::Ended);
+    fresh.judgement.probability = 0.2;
+    EXPECT_EQ(goingOn({lost, fresh}), (Ids{5})) << "may be no vehicle";
+    fresh.judgement.probability = 0.9;
+    fresh.status = TrackStatus::Confirmed;
+    EXPECT_EQ(goingOn({lost, fresh}), (Ids{5})) << "has been told as another one";
+    fresh.status = lost.status = TrackStatus::Tentative;
+    EXPECT_EQ(goingOn({lost, fresh}), (Ids{5})) << "was never told";
+}
+
 TEST(Duplicates, CarsBumperToBumperAreTwo)
 {
     EXPECT_EQ(goingOn({trackAt(1, 10.0), trackAt(2, 14.6)}), (Ids{1, 2}));

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tracker/duplicates.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "association/plane_index.h"
 #include "tracker/discriminate.h"
@@ -22,6 +24,15 @@ bool sameObject(const OrientedBox& a, const OrientedBox& b)
     return inside(toBoxFrame(a, b.centre()), a) || inside(toBoxFrame(b, a.centre()), b);
 }
 
+// The younger one is the older one in another box: what was known of it did not let it have its
+// hits.
+bool isSuccessor(const Track& younger, const Track& older)
+{
+    constexpr double kLikely = 0.5;  // probability, of a vehicle
+    return older.status == TrackStatus::Coasting && younger.status == TrackStatus::Tentative &&
+           std::min(older.judgement.probability, younger.judgement.probability) > kLikely;
+}
+
 // A hedge around a car is not the car.
 bool isVehicleBesideClutter(const Track& a, const Track& b)
 {
@@ -30,8 +41,7 @@ bool isVehicleBesideClutter(const Track& a, const Track& b)
 }
 }  // namespace
 
-std::vector<Track> withDuplicatesEnded(std::vector<Track> tracks,
-                                       const std::vector<OrientedBox>& extents)
+std::vector<Track> withDuplicatesEnded(std::vector<Track> tracks, std::vector<OrientedBox> extents)
 {
     std::vector<PlaneBounds> bounds;
     bounds.reserve(tracks.size());
@@ -49,6 +59,14 @@ std::vector<Track> withDuplicatesEnded(std::vector<Track> tracks,
             const bool keepOlder = isVehicleBesideClutter(tracks[k], tracks[j]) ||
                                    (tracks[k].misses <= tracks[j].misses &&
                                     !isVehicleBesideClutter(tracks[j], tracks[k]));
+            if (!keepOlder && isSuccessor(tracks[j], tracks[k]))
+            {
+                std::swap(tracks[j], tracks[k]);
+                std::swap(tracks[j].id, tracks[k].id);
+                std::swap(extents[j], extents[k]);
+                tracks[j].status = TrackStatus::Ended;
+                continue;
+            }
             (keepOlder ? tracks[j] : tracks[k]).status = TrackStatus::Ended;
         }
     }
