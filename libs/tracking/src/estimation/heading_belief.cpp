@@ -10,11 +10,11 @@ namespace vdamf
 {
 namespace
 {
-constexpr double kCertain = 9.0;       // most of them that are kept: even habit can be wrong
-constexpr double kLongest = 0.2;       // s, that count for one frame
-constexpr double kCourseRate = 20.0;   // log odds a second
-constexpr double kFrameRate = 10.0;    // frames that count for themselves, a second
-constexpr double kSideways = 0.5;      // cosine, below which a course is neither forth nor back
+constexpr double kCertain = 9.0;      // most of them that are kept: even habit can be wrong
+constexpr double kLongest = 0.2;      // s, that count for one frame
+constexpr double kCourseRate = 20.0;  // log odds a second
+constexpr double kFrameRate = 10.0;   // frames that count for themselves, a second
+constexpr double kSideways = 0.5;     // cosine, below which a course is neither forth nor back
 // Who has been seen to drive forward, by so much log odds, may drive slowly in reverse as well.
 constexpr double kKnown = 4.0;
 // Frames show the same thing again and again: all of them say at most so many times what one does.
