@@ -110,7 +110,7 @@ VehicleState updatedState(const VehicleState& state, const Measured& measured, d
 }
 
 // Whether it is known what it does: no vehicle jumps from there.
-bool isKnown(const MotionHypotheses& h)
+bool isSpeedKnown(const MotionHypotheses& h)
 {
     constexpr double kStands = 0.7;      // probability
     constexpr double kSpeedSigma = 1.0;  // m/s
@@ -263,7 +263,7 @@ MotionHypotheses updated(const MotionHypotheses& h, const BoxMeasurement& measur
             });
     };
     next.surprised = foretold.whole.each.front().nis > nisGate;
-    if (next.surprised && !h.surprised && isKnown(h))
+    if (next.surprised && !h.surprised && isSpeedKnown(h))
     {
         // A single measurement tells nothing else than that it errs; those that follow will.
         update(false, true);

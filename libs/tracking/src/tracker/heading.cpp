@@ -111,8 +111,11 @@ HeadingCues cuesOf(const Track& track, const Sighting& sighting)
     cues.shape = track.judgement.probability * shapeCue(sighting, turned);
     const double speed = track.state.mean(kSpeed);
     const double spread = std::sqrt(2.0 * track.state.covariance(kSpeed, kSpeed));
-    cues.forth = 0.5 * std::erfc(-speed / spread);
-    cues.fast = 0.5 * std::erfc((kReverseSpeed - std::abs(speed)) / spread);
+    if (spread > 0.0)
+    {
+        cues.forth = 0.5 * std::erfc(-speed / spread);
+        cues.fast = 0.5 * std::erfc((kReverseSpeed - std::abs(speed)) / spread);
+    }
     if (track.path.size() < 2) return cues;
     cues.dt = track.path.back().time - track.path[track.path.size() - 2].time;
     if (const auto course = steadyCourse(track))
