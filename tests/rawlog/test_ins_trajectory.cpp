@@ -133,7 +133,7 @@ TEST(InsTrajectory, CarriesNoNoiseAcrossAGap)
         for (const double t : {from + 0.13, from + 0.87})
             beyond += (open.at(kStart + t)->position - Car::fromStart(t)).squaredNorm() / 2.0;
     }
-    // Two coordinates of 5 cm each are 0.07 m. Slopes between neighbours made 0.4 and 0.9 m of
+    // Two coordinates of 5 cm each are 0.07 m. Slopes between neighbours made 0.7 and 1.3 m of
     // them.
     EXPECT_LT(std::sqrt(bridged / gaps), 0.1);
     EXPECT_LT(std::sqrt(beyond / gaps), 0.3);
