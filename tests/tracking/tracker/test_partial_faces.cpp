@@ -102,41 +102,66 @@ TEST(PartialFaces, ASideTooShortForACarDoesNotTellItsFarEnd)
 
 TEST(PartialFaces, ASideTooLongForACarEndsAtItsGap)
 {
-    // The next one's hits begin 1.6 m behind a row of 4 m.
+    // The next one's hits begin 1.6 m behind a row of 4 m, and something stands before that gap.
+    SegmentedFrame blocked;
+    blocked.profile.nearest = {5.0F};
     Sighting both = rearAndSideSeen(5.8);
     both.side = {4.0, 30.0, -0.9};
-    const Measurement m = withinRowOfSide(both);
+    const Measurement m = withinRowOfSide(both, blocked);
     EXPECT_NEAR(m.box.length, 4.0, 1e-12);
     EXPECT_NEAR(m.box.x - 0.5 * m.box.length, 20.0, 1e-12);
     EXPECT_EQ(toString(m.hiddenEnds), "F");
     // Seen from ahead, its rear is the far end.
     Sighting ahead = both;
     ahead.sensor = {50.0, 0.0};
+    ahead.measurement.facesSeen.remove(Face::Back);
+    ahead.measurement.facesSeen.add(Face::Front);
     ahead.side.middle = 0.9;
-    EXPECT_EQ(toString(withinRowOfSide(ahead).hiddenEnds), "B");
-    EXPECT_NEAR(withinRowOfSide(ahead).box.x, 20.0 + 5.8 - 2.0, 1e-12);
+    EXPECT_EQ(toString(withinRowOfSide(ahead, blocked).hiddenEnds), "B");
+    EXPECT_NEAR(withinRowOfSide(ahead, blocked).box.x, 20.0 + 5.8 - 2.0, 1e-12);
     // With its rear hidden too it is where the row is.
     Sighting between = both;
     between.measurement.facesSeen.remove(Face::Back);
     between.measurement.hiddenEnds.add(Face::Back);
-    between.measurement = withinRowOfSide(between);
+    between.measurement = withinRowOfSide(between, blocked);
     const OrientedBox box = withRowsBetweenHiddenEnds(between).box;
     EXPECT_NEAR(box.x, both.measurement.box.x - 0.9, 1e-12);
     EXPECT_NEAR(box.length, 4.0, 1e-12);
     // A truck is open between its axles, and hits are missing on a car.
     Sighting truck = both;
     truck.height = 3.0;
-    EXPECT_EQ(withinRowOfSide(truck).box.length, 5.8);
+    EXPECT_EQ(withinRowOfSide(truck, blocked).box.length, 5.8);
     Sighting trucks = rearAndSideSeen(16.0);
     trucks.height = 3.0;
     trucks.side = {10.0, 90.0, -3.0};
-    EXPECT_NEAR(withinRowOfSide(trucks).box.length, 10.0, 1e-12);
+    EXPECT_NEAR(withinRowOfSide(trucks, blocked).box.length, 10.0, 1e-12);
     Sighting car = rearAndSideSeen(4.6);
     car.side = {3.0, 30.0, -0.8};
-    EXPECT_EQ(withinRowOfSide(car).box.length, 4.6);
+    EXPECT_EQ(withinRowOfSide(car, blocked).box.length, 4.6);
     Sighting whole = rearAndSideSeen(5.8);
     whole.side = {5.6, 30.0, 0.0};
-    EXPECT_TRUE(withinRowOfSide(whole).hiddenEnds.empty());
+    EXPECT_TRUE(withinRowOfSide(whole, blocked).hiddenEnds.empty());
+}
+
+TEST(PartialFaces, WhereTheViewThroughTheGapIsFreeTheSideEndsThere)
+{
+    const SegmentedFrame open;
+    Sighting both = rearAndSideSeen(5.8);
+    both.side = {4.0, 30.0, -0.9};
+    both.measurement.hiddenEnds.add(Face::Front);  // the next one's
+    both.sensor = {20.0, -8.0};
+    const Measurement m = withinRowOfSide(both, open);
+    EXPECT_NEAR(m.box.length, 4.0, 1e-12);
+    EXPECT_TRUE(m.hiddenEnds.empty());
+    // With its rear hidden it is as far as the row goes, and no farther.
+    both.measurement.facesSeen.remove(Face::Back);
+    both.measurement.hiddenEnds.add(Face::Back);
+    const Measurement front = withinRowOfSide(both, open);
+    EXPECT_EQ(toString(front.hiddenEnds), "B");
+    EXPECT_NEAR(front.box.x + 0.5 * front.box.length, 24.0, 1e-12);
+    // Along a side seen at a grazing angle a gap lies between any two hits.
+    both.sensor = {0.0, -1.5};
+    EXPECT_TRUE(withinRowOfSide(both, open).hiddenEnds.has(Face::Front));
 }
 
 TEST(PartialFaces, BetweenHiddenEndsTheBoxIsAsLongAsTheRow)

@@ -104,7 +104,7 @@ Measurement withoutEndOfShortSide(const Sighting& sighting)
     return m;
 }
 
-Measurement withinRowOfSide(const Sighting& sighting)
+Measurement withinRowOfSide(const Sighting& sighting, const SegmentedFrame& frame)
 {
     constexpr double kGap = 1.0;    // m
     constexpr double kLong = 5.0;   // m, for a car
@@ -117,13 +117,21 @@ Measurement withinRowOfSide(const Sighting& sighting)
     const double far = toBoxFrame(m.box, sighting.sensor).x() > 0.0 ? -1.0 : 1.0;
     const double beyond = 0.5 * m.box.length - (far * row.middle + 0.5 * row.metres);
     if (beyond < kGap) return m;
-    m.hiddenEnds.add(far > 0.0 ? Face::Front : Face::Back);
-    // Where the near end is hidden as well, the box is what withRowsBetweenHiddenEnds() makes it.
-    if (!locatedFaces(m).has(far > 0.0 ? Face::Back : Face::Front)) return m;
+    const Face farEnd = far > 0.0 ? Face::Front : Face::Back;
+    OrientedBox within = m.box;
     const Eigen::Vector2d shift = -0.5 * far * beyond * rotation(m.box.heading).col(0);
-    m.box.x += shift.x();
-    m.box.y += shift.y();
-    m.box.length -= beyond;
+    within.x += shift.x();
+    within.y += shift.y();
+    within.length -= beyond;
+    const FaceSet hidden = blockedEnds(within, m.facesSeen, sighting.sensor, frame.profile) |
+                           grazedEnds(within, m.facesSeen, sighting.sensor);
+    m.upperEnds.remove(farEnd);
+    if (hidden.has(farEnd))
+        m.hiddenEnds.add(farEnd);
+    else
+        m.hiddenEnds.remove(farEnd);
+    // Where both ends are hidden, the box is what withRowsBetweenHiddenEnds() makes it.
+    if (locatedFaces(m).seesEnd()) m.box = within;
     return m;
 }
 

@@ -21,8 +21,9 @@ Measurement withoutEndOfShortSide(const Sighting& sighting);
 
 /// The measurement of a sighting, no longer than the row of hits on its side that has no wide gap,
 /// where a car would be too long or the row is a truck's: at a grazing angle what stands behind the
-/// gap lies in line with it. How much farther it goes on is not told.
-Measurement withinRowOfSide(const Sighting& sighting);
+/// gap lies in line with it. Where the line of sight past the row is free it ends there; else how
+/// much farther it goes on is not told.
+Measurement withinRowOfSide(const Sighting& sighting, const SegmentedFrame& frame);
 
 /// The measurement of a sighting with the heading as uncertain as pieces of faces leave it: bodies
 /// are round, so that the shorter the row of hits, the more the line through it may be turned.

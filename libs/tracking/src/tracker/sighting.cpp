@@ -229,7 +229,7 @@ Sighting sightingOf(const SegmentedFrame& frame, const std::vector<std::size_t>&
 
     m = withoutEndsBelowView(s, frame);
     m = withoutEndOfShortSide(s);
-    m = withinRowOfSide(s);
+    m = withinRowOfSide(s, frame);
     m = withRowsBetweenHiddenEnds(s);
     m = withTurnOfLayers(s, seen);
     m = withTurnOfPieces(s);
