@@ -89,6 +89,31 @@ TEST(OutgrownClusters, NotByWhatIsNotKnown)
     EXPECT_FALSE(cut(carAndHedge(), ofAnySize));
 }
 
+TEST(OutgrownClusters, ATruckThatDrivesAndWhatItPasses)
+{
+    PredictedTarget truck;
+    truck.box = {14.5, -3.9, 0.0, 9.0, 2.4};
+    truck.positionSigma = {1.0, 0.1};
+    truck.lengthSigma = 2.0;
+    truck.widthSigma = 0.1;
+    truck.isDrivingTruck = true;
+    Cluster both;
+    addLine(both, {10.0F, -5.1F}, {10.0F, -2.7F}, 30);
+    addLine(both, {20.0F, -2.7F}, {24.0F, -2.7F}, 10);  // farther than it seemed to reach
+    addLine(both, {10.5F, -8.2F}, {10.5F, -5.7F}, 25);  // a parked bus
+    const auto parts = cut(both, truck);
+    ASSERT_TRUE(parts);
+    ASSERT_EQ(parts->vehicles.size(), 1U);
+    EXPECT_EQ(parts->vehicles[0].size(), 40U);
+    EXPECT_EQ(parts->rest.size(), 25U);
+    PredictedTarget vague = truck;
+    vague.positionSigma.y() = 0.6;
+    EXPECT_FALSE(cut(both, vague));
+    vague = truck;
+    vague.widthSigma = 0.5;
+    EXPECT_FALSE(cut(both, vague));
+}
+
 TEST(OutgrownClusters, NotByAnAssumedLength)
 {
     Cluster lorry;

@@ -29,6 +29,31 @@ TEST(PredictedTargets, WhatMayBeATruckIsNoCar)
     EXPECT_FALSE(targetOf(0.9, 1.8, 2.8).isCar);
 }
 
+TEST(PredictedTargets, ATruckIsOneWhereItDrivesAndItsWidthWasSeen)
+{
+    Track truck;
+    truck.state.mean << 10.0, 0.0, 0.0, 0.0, 0.0, 1.2, 9.0;
+    truck.state.width = 2.5;
+    truck.height = 3.0;
+    truck.judgement.probability = 0.9;
+    truck.told.width = true;
+    const auto drives = [](const Track& track)
+    {
+        const Discriminator discriminator{DiscriminatorOptions()};
+        return predictedTargets({track}, discriminator).front().isDrivingTruck;
+    };
+    EXPECT_TRUE(drives(truck));
+    for (const auto& change :
+         {+[](Track& t) { t.stoodProbability = 0.9; }, +[](Track& t) { t.told.width = false; },
+          +[](Track& t) { t.judgement.probability = 0.7; }, +[](Track& t) { t.state.width = 5.0; },
+          +[](Track& t) { t.state.width = 1.8; t.height = 1.5; }})
+    {
+        Track other = truck;
+        change(other);
+        EXPECT_FALSE(drives(other));
+    }
+}
+
 TEST(PredictedTargets, ClutterIsWhatSurelyIsNoVehicle)
 {
     EXPECT_TRUE(targetOf(0.1, 1.8, 1.5).isClutter);

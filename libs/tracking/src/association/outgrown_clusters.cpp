@@ -19,9 +19,13 @@ std::vector<PredictedTarget> knownAmong(const std::vector<PredictedTarget>& targ
 {
     std::vector<PredictedTarget> known;
     for (const PredictedTarget& t : targets)
-        if (t.isCar && t.positionSigma.maxCoeff() < kSureOfOutgrown &&
-            std::min(t.lengthSigma, t.widthSigma) < kSureSize)
-            known.push_back(t);
+    {
+        const bool isCar = t.isCar && t.positionSigma.maxCoeff() < kSureOfOutgrown &&
+                           std::min(t.lengthSigma, t.widthSigma) < kSureSize;
+        const bool isTruck = t.isDrivingTruck && t.positionSigma.y() < kSureOfOutgrown &&
+                             t.widthSigma < kSureSize;
+        if (isCar || isTruck) known.push_back(t);
+    }
     return known;
 }
 

@@ -28,6 +28,9 @@ std::vector<PredictedTarget> predictedTargets(const std::vector<Track>& tracks,
         const double probability = discriminator.vehicleProbability(track);
         target.isCar = probability > kSurelyAVehicle && track.height < kLowestTruck &&
                        track.box().width < widestCar(track.height);
+        target.isDrivingTruck = probability > kSurelyAVehicle && !target.isCar &&
+                                track.told.width && track.box().width < kWidestTruck &&
+                                !track.stood();
         target.isClutter = probability < 1.0 - kSurelyAVehicle;
         all.push_back(target);
     }

@@ -51,6 +51,8 @@ struct PredictedTarget
     /// Surely: what goes on beyond its box is something else. Trucks are open between their axles,
     /// and what is taken for the end of one may be.
     bool isCar = false;
+    /// Surely a truck or bus that drives: what lies beside it is something else.
+    bool isDrivingTruck = false;
     bool isClutter = false;  ///< surely, and no vehicle
 };
 
