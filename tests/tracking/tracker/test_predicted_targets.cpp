@@ -46,7 +46,11 @@ TEST(PredictedTargets, ATruckIsOneWhereItDrivesAndItsWidthWasSeen)
     for (const auto& change :
          {+[](Track& t) { t.stoodProbability = 0.9; }, +[](Track& t) { t.told.width = false; },
           +[](Track& t) { t.judgement.probability = 0.7; }, +[](Track& t) { t.state.width = 5.0; },
-          +[](Track& t) { t.state.width = 1.8; t.height = 1.5; }})
+          +[](Track& t)
+          {
+              t.state.width = 1.8;
+              t.height = 1.5;
+          }})
     {
         Track other = truck;
         change(other);

@@ -22,8 +22,8 @@ std::vector<PredictedTarget> knownAmong(const std::vector<PredictedTarget>& targ
     {
         const bool isCar = t.isCar && t.positionSigma.maxCoeff() < kSureOfOutgrown &&
                            std::min(t.lengthSigma, t.widthSigma) < kSureSize;
-        const bool isTruck = t.isDrivingTruck && t.positionSigma.y() < kSureOfOutgrown &&
-                             t.widthSigma < kSureSize;
+        const bool isTruck =
+            t.isDrivingTruck && t.positionSigma.y() < kSureOfOutgrown && t.widthSigma < kSureSize;
         if (isCar || isTruck) known.push_back(t);
     }
     return known;

@@ -10,7 +10,7 @@ namespace
 {
 constexpr double kPiece = 0.9;  // m, of an end of which something hides the rest
 // Hits tell widths to a decimetre or two: what is higher than any car may be narrower.
-constexpr double kTallest = 2.5;   // m
+constexpr double kTallest = 2.6;   // m
 constexpr double kLongSide = 5.5;  // m, of vans, trucks and buses
 constexpr AssumedSize kTruckWidth{2.1, 0.3};
 
