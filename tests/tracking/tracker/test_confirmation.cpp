@@ -136,6 +136,23 @@ TEST_F(Confirmation, OfFewHitsWhatMayDriveIsNotTakenToStand)
     EXPECT_EQ(sightingsUntilConfirmed(track, options_.lifecycle), 7);
 }
 
+TEST_F(Confirmation, WaitsAfterAHopOnToSomethingElse)
+{
+    Track track = standing();
+    track.surprisedAt = 4;
+    EXPECT_EQ(sightingsUntilConfirmed(track, options_.lifecycle), 7);
+    track.surprisedAt = 50;
+    EXPECT_EQ(sightingsUntilConfirmed(track, options_.lifecycle), 9) << "not for ever";
+    ASSERT_EQ(seenUntilConfirmed(0.03, 0.0), 3);
+    EXPECT_EQ(track_.surprisedAt, 0);
+    Sighting hop = rearAt(0.3, 1.8);
+    hop.measurement.covariance(3, 3) = 1e-3;
+    hop.measurement.box.x += 4.0;
+    hop.around.x += 4.0;
+    see(hop);
+    EXPECT_EQ(track_.surprisedAt, 4);
+}
+
 TEST_F(Confirmation, OfFewHitsWhatDrivesMayBeOnParkedCarsInTurn)
 {
     Track track = standing();

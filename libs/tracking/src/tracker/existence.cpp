@@ -147,8 +147,13 @@ Track withHit(Track track, double time, const LifecycleOptions& options)
 
 Track withConfirmation(Track track, const LifecycleOptions& options)
 {
+    constexpr int kForCalm = 6;
     const int enough = options.confirmHits + patienceWith(track, options);
-    if (track.status == TrackStatus::Coasting || track.sightingsOfState() >= enough)
+    const int seen = track.sightingsOfState();
+    // One that hops on to something else comes to rest there.
+    const bool isCalm = track.sightings - track.surprisedAt >= options.confirmHits ||
+                        seen >= enough + kForCalm;
+    if (track.status == TrackStatus::Coasting || (seen >= enough && isCalm))
         track.status = TrackStatus::Confirmed;
     return track;
 }

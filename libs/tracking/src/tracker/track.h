@@ -62,6 +62,7 @@ struct Track
     int busRears = 0;                          ///< sightings of its rear that only a bus shows
     int sightings = 0;
     int startedAt = 1;       ///< sighting at which its state was started, or started anew
+    int surprisedAt = 0;     ///< last sighting that was far from what was foretold
     int misses = 0;          ///< frames since the last sighting
     double existence = 0.5;  ///< probability that there is an object
     double lastSeen = 0.0;   ///< s

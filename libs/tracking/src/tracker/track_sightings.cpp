@@ -128,6 +128,7 @@ Track updatedBy(const BoxMeasurement& box, Track track, const VehicleState& then
     track.nis = innovationOf(then, withJitterAlone(box, jitter)).nis();
     track.jitter = jitter.after(then, box, dt);
     hypotheses = updated(hypotheses, box, jitter, filter, options.lifecycle.nisGate);
+    if (*track.nis > options.lifecycle.nisGate) track.surprisedAt = track.sightings + 1;
     if (track.sightings == track.startedAt)
         hypotheses.forEach([](VehicleState& state) { state = withUsualCurvature(state); });
     track.lastingError = lastingError(box, jitter);
