@@ -153,6 +153,10 @@ TEST(PartialFaces, WhereTheViewThroughTheGapIsFreeTheSideEndsThere)
     const Measurement m = withinRowOfSide(both, open);
     EXPECT_NEAR(m.box.length, 4.0, 1e-12);
     EXPECT_TRUE(m.hiddenEnds.empty());
+    // What stands in the gap, here from 1.2 m past the row on, may be the rest of it.
+    SegmentedFrame filled = open;
+    filled.profile.nearest = {9.2F};
+    EXPECT_EQ(toString(withinRowOfSide(both, filled).hiddenEnds), "F");
     // With its rear hidden it is as far as the row goes, and no farther.
     both.measurement.facesSeen.remove(Face::Back);
     both.measurement.hiddenEnds.add(Face::Back);

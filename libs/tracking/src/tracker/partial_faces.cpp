@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "types/box_changes.h"
@@ -59,6 +60,19 @@ double lowestOfEnd(const Measurement& m, double row, const Cluster& hits)
         std::sort(lowest.begin(), lowest.end());
     }
     return static_cast<double>(lowest.back());
+}
+// Whether nothing stands in the gap past the front (end 1) or rear (0) of a box, nor before it.
+bool isOpenPast(const OrientedBox& box, int end, const Eigen::Vector2d& sensor,
+                const RangeProfile& profile)
+{
+    constexpr double kPast[] = {kPastEnd, 1.1, 1.6};  // m
+    return std::all_of(
+        std::begin(kPast), std::end(kPast),
+        [&](double metres)
+        {
+            const Eigen::Vector2d ray = placePastEnd(box, sensor, 0, end, metres) - sensor;
+            return profile.at(std::atan2(ray.y(), ray.x())) > ray.norm() + kFreeRange;
+        });
 }
 }  // namespace
 
@@ -123,10 +137,9 @@ Measurement withinRowOfSide(const Sighting& sighting, const SegmentedFrame& fram
     within.x += shift.x();
     within.y += shift.y();
     within.length -= beyond;
-    const FaceSet hidden = blockedEnds(within, m.facesSeen, sighting.sensor, frame.profile) |
-                           grazedEnds(within, m.facesSeen, sighting.sensor);
+    const bool isGrazed = grazedEnds(within, m.facesSeen, sighting.sensor).has(farEnd);
     m.upperEnds.remove(farEnd);
-    if (hidden.has(farEnd))
+    if (isGrazed || !isOpenPast(within, far > 0.0 ? 1 : 0, sighting.sensor, frame.profile))
         m.hiddenEnds.add(farEnd);
     else
         m.hiddenEnds.remove(farEnd);
