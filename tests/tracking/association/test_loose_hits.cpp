@@ -51,6 +51,15 @@ TEST(LooseHits, AreTheVehiclesThatTheyLieOn)
     EXPECT_EQ(found.time.size(), 2U);
 }
 
+TEST(LooseHits, OneOfThemShowsThatTheVehicleIsThere)
+{
+    const auto shows = [](const Cluster& hits)
+    { return anyLiesOn(carAhead(), hits, Eigen::Vector2d::Zero(), {}); };
+    EXPECT_TRUE(shows(hitsAt({{23.0F, -2.0F}, {24.0F, -3.0F}})));
+    EXPECT_FALSE(shows(hitsAt({{23.0F, -2.0F}, {22.0F, -4.9F}})));
+    EXPECT_FALSE(shows(Cluster()));
+}
+
 TEST(LooseHits, BehindTheFarFacesAreOthers)
 {
     EXPECT_EQ(onCar(carAhead(), hitsAt({{22.0F, -4.9F}})).size(), 0U);

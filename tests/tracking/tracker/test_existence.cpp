@@ -84,7 +84,8 @@ TEST(Existence, TracksEndSoonWhereTheyWouldBeSeen)
     const RangeProfile open = profileWith(0.0, kFar);
     Track track = trackAhead(0.1);
     for (int k = 1; track.status != TrackStatus::Ended && k < 30; ++k)
-        track = withMiss(track, {0.1 * k, {0.0, 0.0}, open, FieldOfView(groundAround())}, true, {});
+        track =
+            withMiss(track, {0.1 * k, {0.0, 0.0}, open, FieldOfView(groundAround())}, Unseen(), {});
     EXPECT_EQ(track.status, TrackStatus::Ended);
     EXPECT_LE(track.misses, 7);
     EXPECT_GE(track.misses, 3) << "one missed frame or two are no end";
@@ -99,7 +100,7 @@ TEST(Existence, HiddenOnesCoastAsLongAsTheyMay)
     Track track = trackAhead(0.1);
     int k = 0;
     for (k = 1; track.status != TrackStatus::Ended && k < 100; ++k)
-        track = withMiss(track, {0.1 * k, {0.0, 0.0}, both, FieldOfView(groundAround())}, true,
+        track = withMiss(track, {0.1 * k, {0.0, 0.0}, both, FieldOfView(groundAround())}, Unseen(),
                          options);
     EXPECT_EQ(track.existence, 0.99);
     EXPECT_NEAR(0.1 * track.misses, options.maxCoast, 0.11);
@@ -112,7 +113,7 @@ TEST(Existence, HiddenOnesEndOnceTheyMayBeALaneAndAHalfOff)
     {
         Track track = trackAhead(sigma);
         track.state.covariance(kX, kX) = sigma * sigma;
-        return withMiss(track, {0.1, {0.0, 0.0}, wall, FieldOfView(groundAround())}, true, {})
+        return withMiss(track, {0.1, {0.0, 0.0}, wall, FieldOfView(groundAround())}, Unseen(), {})
             .status;
     };
     EXPECT_EQ(statusWith(4.4), TrackStatus::Coasting);
@@ -138,12 +139,40 @@ TEST(Existence, HitsMakeATrackLastLonger)
         track.existence = 0.5;
         for (int k = 0; k < hits; ++k) track = withHit(track, 0.0, {});
         EXPECT_LE(track.existence, 0.99);
-        while (track.status != TrackStatus::Ended)
-            track = withMiss(track, {0.0, {0.0, 0.0}, open, FieldOfView(groundAround())}, true, {});
+        for (int k = 1; track.status != TrackStatus::Ended && k < 100; ++k)
+            track = withMiss(track, {0.1 * k, {0.0, 0.0}, open, FieldOfView(groundAround())},
+                             Unseen(), {});
         return track.misses;
     };
     EXPECT_LT(framesAfter(2), framesAfter(10));
     EXPECT_EQ(framesAfter(20), framesAfter(200));
+}
+
+TEST(Existence, TracksLastAsLongHoweverFastFramesFollow)
+{
+    const RangeProfile open = profileWith(0.0, kFar);
+    const auto lasts = [&](double interval)
+    {
+        Track track = trackAhead(0.1);
+        for (int k = 1; track.status != TrackStatus::Ended && k < 100; ++k)
+            track = withMiss(track, {interval * k, {0.0, 0.0}, open, FieldOfView(groundAround())},
+                             Unseen(), {});
+        return track.misses * interval;
+    };
+    EXPECT_NEAR(lasts(0.05), lasts(0.1), 0.06);
+    // Slower ones each see anew.
+    EXPECT_NEAR(lasts(0.2), 2.0 * lasts(0.1), 1e-9);
+}
+
+TEST(Existence, FewHitsTellThatItIsThere)
+{
+    const RangeProfile open = profileWith(0.0, kFar);
+    Track track = trackAhead(0.1);
+    for (int k = 1; k <= 20; ++k)
+        track = withMiss(track, {0.1 * k, {0.0, 0.0}, open, FieldOfView(groundAround())},
+                         Unseen{true, true}, {});
+    EXPECT_EQ(track.status, TrackStatus::Coasting);
+    EXPECT_EQ(track.existence, 0.99);
 }
 
 TEST(Existence, NewTracksAreNotWaitedFor)
@@ -152,8 +181,9 @@ TEST(Existence, NewTracksAreNotWaitedFor)
     Track track = trackAhead(0.1);
     track.status = TrackStatus::Tentative;
     track.existence = 0.5;
-    for (int k = 0; k < 2; ++k)
-        track = withMiss(track, {0.0, {0.0, 0.0}, wall, FieldOfView(groundAround())}, true, {});
+    for (int k = 1; k <= 2; ++k)
+        track =
+            withMiss(track, {0.1 * k, {0.0, 0.0}, wall, FieldOfView(groundAround())}, Unseen(), {});
     EXPECT_EQ(track.status, TrackStatus::Ended);
 }
 
@@ -161,9 +191,9 @@ TEST(Existence, ClutterIsNotWaitedForEither)
 {
     const RangeProfile wall = profileWith(kPi, 9.0F);
     Track track = trackAhead(0.1);
-    for (int k = 0; k < 10 && track.status != TrackStatus::Ended; ++k)
-        track =
-            withMiss(track, {0.1 * k, {0.0, 0.0}, wall, FieldOfView(groundAround())}, false, {});
+    for (int k = 1; k < 10 && track.status != TrackStatus::Ended; ++k)
+        track = withMiss(track, {0.1 * k, {0.0, 0.0}, wall, FieldOfView(groundAround())},
+                         Unseen{false}, {});
     EXPECT_EQ(track.status, TrackStatus::Ended);
     EXPECT_GT(track.misses, 3) << "hits may be missing for a frame or two";
 }

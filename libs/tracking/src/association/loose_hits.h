@@ -17,4 +17,8 @@ std::vector<Cluster> looseHitsOn(const std::vector<PredictedTarget>& targets,
                                  const Cluster& loose, const Eigen::Vector2d& sensor,
                                  const AssociationOptions& options);
 
+/// Whether any of some hits lies on a target.
+bool anyLiesOn(const PredictedTarget& target, const Cluster& hits, const Eigen::Vector2d& sensor,
+               const AssociationOptions& options);
+
 }  // namespace vdamf

@@ -151,26 +151,27 @@ Track withConfirmation(Track track, const LifecycleOptions& options)
     const int enough = options.confirmHits + patienceWith(track, options);
     const int seen = track.sightingsOfState();
     // One that hops on to something else comes to rest there.
-    const bool isCalm = track.sightings - track.surprisedAt >= options.confirmHits ||
-                        seen >= enough + kForCalm;
+    const bool isCalm =
+        track.sightings - track.surprisedAt >= options.confirmHits || seen >= enough + kForCalm;
     if (track.status == TrackStatus::Coasting || (seen >= enough && isCalm))
         track.status = TrackStatus::Confirmed;
     return track;
 }
 
-Track withMiss(Track track, const OpenView& view, bool mayBeVehicle,
+Track withMiss(Track track, const OpenView& view, const Unseen& unseen,
                const LifecycleOptions& options)
 {
     ++track.misses;
     // What was hardly seen yet is not worth waiting for, and pieces of bushes are new ones anyway.
-    const bool isWaitedFor = mayBeVehicle && track.status != TrackStatus::Tentative;
-    const double inView = isWaitedFor ? shareSeenThrough(track, view) : 1.0;
+    const bool isWaitedFor = unseen.mayBeVehicle && track.status != TrackStatus::Tentative;
+    const double seenThrough = isWaitedFor ? shareSeenThrough(track, view) : 1.0;
+    const double inView = isWaitedFor && unseen.showsHits ? 0.0 : seenThrough;
     const double missed = 1.0 - options.hitProbability * inView;
     // Frames that follow each other fast see the same.
     constexpr double kNews = 0.1;  // s
     const double interval = (view.time - track.lastSeen) / track.misses;
-    track.existence = probabilityOf(oddsOf(track.existence) *
-                                    std::pow(missed, std::min(1.0, interval / kNews)));
+    track.existence =
+        probabilityOf(oddsOf(track.existence) * std::pow(missed, std::min(1.0, interval / kNews)));
     const double variance = 0.5 * track.state.covariance.topLeftCorner<2, 2>().trace();
     const bool isLost = track.existence < options.endProbability ||
                         view.time - track.lastSeen > options.maxCoast ||

@@ -17,6 +17,13 @@ struct OpenView
     FieldOfView field;
 };
 
+/// What is known of a track without a measurement.
+struct Unseen
+{
+    bool mayBeVehicle = true;  ///< clutter is not waited for, hidden or not
+    bool showsHits = false;    ///< it is there, though hits are too few to tell more
+};
+
 /// Share of the box's bearings along which the sensor sees through to behind it: nothing stands
 /// there, neither before the box nor in it.
 double shareSeenThrough(const OrientedBox& box, const OpenView& view);
@@ -34,8 +41,7 @@ Track withConfirmation(Track track, const LifecycleOptions& options);
 
 /// The track after a frame without. It coasts, or ends: once it is likely not to be
 /// there, was not seen for too long, or may be so far off that nothing tells it from a new one.
-/// `mayBeVehicle`: clutter is not waited for, hidden or not.
-Track withMiss(Track track, const OpenView& view, bool mayBeVehicle,
+Track withMiss(Track track, const OpenView& view, const Unseen& unseen,
                const LifecycleOptions& options);
 
 }  // namespace vdamf

@@ -62,7 +62,7 @@ public:
         auto sightings = measureTracks(segmented, assignment);
         enter(Stage::Update);
         followPlatform(sightings);
-        updateTracks(segmented, view, assignment, std::move(sightings), around);
+        updateTracks(segmented, view, assignment, std::move(sightings), predicted, around);
         enter(Stage::NewTracks);
         assignment = startTracks(segmented, std::move(assignment));
         enter(Stage::Discrimination);
@@ -169,7 +169,8 @@ private:
 
     void updateTracks(const SegmentedFrame& frame, const FieldOfView& field,
                       const std::vector<std::vector<std::size_t>>& assignment,
-                      std::vector<std::optional<Sighting>> sightings, const Neighbourhood& around)
+                      std::vector<std::optional<Sighting>> sightings,
+                      const std::vector<PredictedTarget>& predicted, const Neighbourhood& around)
     {
         const OpenView view{frame.time, frame.sensor, frame.profile, field};
         workers_.forEach(
@@ -191,8 +192,14 @@ private:
                     track =
                         glancedTrack(std::move(track), frame, assignment[j], options_.lifecycle);
                 else
-                    track = withMiss(std::move(track), view, !discriminator_.rulesOut(track),
-                                     options_.lifecycle);
+                {
+                    const bool showsHits =
+                        track.stood() &&
+                        anyLiesOn(predicted[j], frame.loose, frame.sensor, options_.association);
+                    track =
+                        withMiss(std::move(track), view,
+                                 {!discriminator_.rulesOut(track), showsHits}, options_.lifecycle);
+                }
                 if (track.misses == 0)
                     track = withConfirmation(std::move(track), options_.lifecycle);
             });
