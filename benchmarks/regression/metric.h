@@ -53,6 +53,9 @@ struct RegressionRow
     MetricValues values;
 };
 
+/// Where the JSON of what is taken for vehicles stands in that of all tracks.
+inline constexpr const char* kVehiclesOnly = "vehicles_only";
+
 /// From what vdamf-evaluate wrote and from the time that vdamf-track told, rounded as in CSV files,
 /// so that a table and its file never differ. Throws std::runtime_error where a key is missing or
 /// is no number.

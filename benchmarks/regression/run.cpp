@@ -64,6 +64,16 @@ std::vector<std::string> trackCommand(const RegressionScenario& scenario, const 
     return command;
 }
 
+nlohmann::json scored(const RunFiles& files, const std::vector<std::string>& how,
+                      const RunOptions& options)
+{
+    const std::vector<std::string> command = {
+        "vdamf-evaluate", "--overwrite",        "--tracks", files.tracks.string(),
+        "--truth",        files.truth.string(), "--json",   files.metrics.string()};
+    call(command, how, options, files.log);
+    return nlohmann::json::parse(readTextFile(files.metrics));
+}
+
 MetricValues measured(const RegressionScenario& scenario, const RunOptions& options)
 {
     const RunFiles files = preparedFiles(options.out / scenario.name);
@@ -73,11 +83,12 @@ MetricValues measured(const RegressionScenario& scenario, const RunOptions& opti
     call(trackCommand(scenario, files, options), {}, options, files.log);
     if (!options.keepScans) fs::remove(files.scans);
     const std::optional<double> time = trackingTimeIn(readTextFile(files.log));
-    std::vector<std::string> score = {
-        "vdamf-evaluate", "--overwrite",        "--tracks", files.tracks.string(),
-        "--truth",        files.truth.string(), "--json",   files.metrics.string()};
-    call(score, scenario.score, options, files.log);
-    return valuesOf(nlohmann::json::parse(readTextFile(files.metrics)), time);
+    nlohmann::json evaluation = scored(files, scenario.score, options);
+    std::vector<std::string> ofVehicles = scenario.score;
+    ofVehicles.push_back("--vehicles-only");
+    evaluation[kVehiclesOnly] = scored(files, ofVehicles, options);
+    writeTextFile(files.metrics, evaluation.dump(2) + "\n");
+    return valuesOf(evaluation, time);
 }
 }  // namespace
 

@@ -95,8 +95,9 @@ std::string tableLegend()
            "180 deg), length, width, first match.\n"
            "speed (m/s) and yaw rate (deg/s): RMS; phan: 95th percentile of the speed of what "
            "stands still; NEES, NIS: 1 is right.\n"
-           "ms/fra.: tracking alone, while other runs go on beside it. HOTA, MOTA, IDF1: a track "
-           "off the labels is a false alarm.\n";
+           "ms/fra.: tracking alone, while other runs go on beside it. A track off the labels is a "
+           "false alarm to HOTA, MOTA and IDF1;\n"
+           "of vehicles: where it is taken for one (is_vehicle), or nothing tells.\n";
 }
 
 std::string toCsv(const std::vector<RegressionRow>& rows)

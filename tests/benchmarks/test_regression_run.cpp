@@ -66,6 +66,7 @@ TEST_F(RegressionRun, AnotherTrackerInPlaceOfOurs)
     EXPECT_EQ(value("frames"), 15.0);
     EXPECT_GT(value("recall").value(), 0.5);
     EXPECT_GT(value("time_per_frame_ms").value(), 0.0);
+    EXPECT_EQ(value("vehicles_mota"), value("mota")) << "it takes everything for a vehicle";
 
     const Outcome none = bench("--only street --tracker /no/such/program");
     EXPECT_EQ(none.exitCode, 2);
@@ -82,6 +83,8 @@ TEST_F(RegressionRun, OneScenarioFromScansToTable)
     EXPECT_EQ(value("objects"), 1.0);
     EXPECT_GT(value("recall").value(), 0.5);
     EXPECT_LT(value("position_median_m").value(), 0.5);
+    EXPECT_GE(value("vehicles_mota").value(), value("mota").value());
+    EXPECT_GT(value("vehicles_hota").value(), 0.5);
     EXPECT_GT(value("time_per_frame_ms").value(), 0.0);
     EXPECT_THAT(run.output, HasSubstr("street"));
     EXPECT_THAT(contentOf("out/regression.md"), HasSubstr("| street | 15 | 1 |"));
