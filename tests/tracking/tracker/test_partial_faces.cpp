@@ -222,6 +222,39 @@ HitsAtOneTime roofAndCorner(double lowestOfRear)
     return seen;
 }
 
+TEST(PartialFaces, FacesAreAsHighAsTheHitsOnThem)
+{
+    const Measurement m = rearSeen(1.8).measurement;
+    Cluster hits = *hitsOnRear(0.5).each;
+    const auto seenNow = [&]
+    {
+        HitsAtOneTime seen;
+        seen.hits = projectHits(hits, 0.0);
+        seen.each = hits;
+        return seen;
+    };
+    const auto height = [&] { return heightOfFaces(m, Eigen::Vector2d::Zero(), seenNow()); };
+    EXPECT_NEAR(height(), 0.8, 1e-6);
+    // A tree's, over its roof and beside it, and two higher ones that may be anything's.
+    const auto add = [&](float x, float y, float z)
+    {
+        hits.x.push_back(x);
+        hits.y.push_back(y);
+        hits.height.push_back(z);
+    };
+    for (int k = 0; k < 5; ++k) add(21.0F + 0.1F * static_cast<float>(k), 0.0F, 2.9F);
+    for (int k = 0; k < 5; ++k) add(20.0F, 1.2F + 0.1F * static_cast<float>(k), 2.9F);
+    for (int k = 0; k < 2; ++k) add(20.0F, 0.0F, 2.9F);
+    EXPECT_NEAR(height(), 0.8, 1e-6);
+    add(20.1F, 0.3F, 2.8F);
+    EXPECT_NEAR(height(), 2.8, 1e-6);
+    HitsAtOneTime level = seenNow();
+    Hits projected = projectHits(hits, 0.0);
+    projected.heights = 0;
+    level.hits = projected;
+    EXPECT_EQ(heightOfFaces(m, Eigen::Vector2d::Zero(), level), 0.0);
+}
+
 TEST(PartialFaces, LowHitsAtTheCornerAreTheSides)
 {
     Sighting rear = rearSeen(1.8);

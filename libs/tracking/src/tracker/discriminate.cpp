@@ -150,6 +150,14 @@ OrientedBox Discriminator::extentOf(const Track& track) const
     return {extent.x, extent.y, wrapAngle(extent.heading + 0.5 * kPi), extent.width, extent.length};
 }
 
+std::vector<OrientedBox> Discriminator::extentsOf(const std::vector<Track>& tracks) const
+{
+    std::vector<OrientedBox> all;
+    all.reserve(tracks.size());
+    for (const Track& track : tracks) all.push_back(extentOf(track));
+    return all;
+}
+
 TrackReport Discriminator::withProbability(TrackReport report, const Track& track) const
 {
     if (options_.isOff()) return report;

@@ -31,6 +31,7 @@ public:
     /// What the track covers: its box, or, of what is ruled out, the rectangle of its hits: what is
     /// no vehicle is not as large as one either, and lies along its longer side where it stands.
     OrientedBox extentOf(const Track& track) const;
+    std::vector<OrientedBox> extentsOf(const std::vector<Track>& tracks) const;
 
     /// By all frames of the track; 0.5 where nothing discriminates.
     double vehicleProbability(const Track& track) const;

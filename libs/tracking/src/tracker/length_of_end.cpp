@@ -34,6 +34,10 @@ std::optional<AssumedSize> lengthBehindEnd(const Track& track, const VisibilityO
     const double seems = track.hypotheses->standing.width;
     const std::optional<double> width =
         track.told.width ? std::optional(track.state.width) : std::nullopt;
+    constexpr double kTallFace = 2.5;  // m: of trucks, buses and few vans
+    constexpr AssumedSize kLengthOfTall{8.5, 2.5};
+    const bool mayBeVehicle = track.judgement.probability > 0.5;
+    if (!width && mayBeVehicle && track.tallest >= kTallFace) return kLengthOfTall;
     if (isCarsEnd(seems, track.highest)) return carLength(track.highest, width, options);
     if (!width) return std::nullopt;
     return track.busRears >= kAgree ? kBusLength : lengthBehind(seems, track.highest, options);

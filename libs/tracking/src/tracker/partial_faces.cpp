@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <limits>
 
@@ -169,6 +170,35 @@ Measurement withTurnOfPieces(const Sighting& sighting)
 Measurement withTurnOfParts(const Sighting& sighting, const HitsAtOneTime& seen)
 {
     return withTurn(sighting.measurement, seen.turnSigma, sighting.around.centre());
+}
+
+double heightOfFaces(const Measurement& m, const Eigen::Vector2d& sensor, const HitsAtOneTime& seen)
+{
+    constexpr float kOn = 0.25F;   // m, before and behind the face
+    constexpr float kPast = 0.1F;  // m, beside it
+    if (seen.hits->heights == 0 || m.facesSeen.empty()) return 0.0;
+    const Eigen::Matrix2f toBox = rotation(m.box.heading).transpose().cast<float>();
+    const Eigen::Vector2f centre = m.box.centre().cast<float>();
+    const Eigen::Array2f half(static_cast<float>(0.5 * m.box.length),
+                              static_cast<float>(0.5 * m.box.width));
+    const Eigen::Vector2d view = toBoxFrame(m.box, sensor);
+    std::array<float, kFew> highest{};
+    const Cluster& hits = *seen.each;
+    for (std::size_t i = 0; i < hits.size(); ++i)
+    {
+        if (hits.height[i] <= highest.back()) continue;
+        const Eigen::Vector2f place = toBox * (Eigen::Vector2f(hits.x[i], hits.y[i]) - centre);
+        const Eigen::Array2f past = place.array().abs() - half;
+        if ((past > kPast).any()) continue;
+        const bool onEnd = m.facesSeen.seesEnd() &&
+                           std::abs(past.x())<kOn&& static_cast<double>(place.x()) * view.x()> 0.0;
+        const bool onSide = m.facesSeen.seesSide() &&
+                            std::abs(past.y())<kOn&& static_cast<double>(place.y()) * view.y()> 0.0;
+        if (!onEnd && !onSide) continue;
+        highest.back() = hits.height[i];
+        std::sort(highest.begin(), highest.end(), std::greater<>());
+    }
+    return static_cast<double>(highest.back());
 }
 
 Measurement withRecessOfEnd(const Sighting& sighting, const HitsAtOneTime& seen)

@@ -37,4 +37,9 @@ Measurement withTurnOfParts(const Sighting& sighting, const HitsAtOneTime& seen)
 /// a bonnet or a windscreen they lie behind the end. What is as high as a truck is upright.
 Measurement withRecessOfEnd(const Sighting& sighting, const HitsAtOneTime& seen);
 
+/// Of the hits on the faces seen, all but the two highest, above the ground, m; 0 where heights are
+/// not known.
+double heightOfFaces(const Measurement& measurement, const Eigen::Vector2d& sensor,
+                     const HitsAtOneTime& seen);
+
 }  // namespace vdamf

@@ -235,6 +235,7 @@ Sighting sightingOf(const SegmentedFrame& frame, const std::vector<std::size_t>&
     m = withTurnOfPieces(s);
     m = withTurnOfParts(s, seen);
     m = withRecessOfEnd(s, seen);
+    s.faceHeight = heightOfFaces(s.measurement, sensor, seen);
     s.isBusEnd = isClosedEnd(s, seen);
     s.front = frontByShape(s, seen);
     return s;

@@ -62,7 +62,10 @@ struct Sighting
     Eigen::Vector2d sensor = Eigen::Vector2d::Zero();  ///< m
     std::vector<std::size_t> clusters;                 ///< of the frame, whose hits they are
     Measurement measurement;
-    OrientedBox around;     ///< the hits, along and across the box
+    OrientedBox around;  ///< the hits, along and across the box
+    /// Of the hits that lie on a face seen, all but the two highest, above the ground, m; 0 where
+    /// heights are not known. Trees over a car have none there.
+    double faceHeight = 0.0;
     FaceRow side, end;      ///< of the faces towards the sensor
     double groundZ = 0.0;   ///< local ground, m
     double height = 0.0;    ///< of the highest hit above it, m

@@ -58,6 +58,8 @@ struct Track
     double groundZ = 0.0;
     double height = 0.0;
     double highest = 0.0;                      ///< roof that two sightings in a row agree on
+    double tallest = 0.0;                      ///< of its faces, as two sightings in a row tell, m
+    double faceHeight = 0.0;                   ///< by the last sighting, m
     std::optional<AssumedSize> assumedLength;  ///< of what was seen from an end alone
     int busRears = 0;                          ///< sightings of its rear that only a bus shows
     int sightings = 0;

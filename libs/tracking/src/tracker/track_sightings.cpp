@@ -190,6 +190,7 @@ Track startedTrack(std::uint64_t id, const Sighting& sighting, const StartSpeed&
     track.groundZ = sighting.groundZ;
     track.height = sighting.height;
     track.highest = sighting.height + sighting.overHits;
+    track.faceHeight = sighting.faceHeight;
     track.sightings = 1;
     track.lastSeen = sighting.time;
     track.seenFrom = sighting.sensor;
@@ -238,6 +239,8 @@ Track sightedTrack(Track track, const Sighting& sighting, const Neighbourhood& a
     track.told = track.told.with(m);
     track.highest =
         std::max(track.highest, std::min(track.height, sighting.height) + sighting.overHits);
+    track.tallest = std::max(track.tallest, std::min(track.faceHeight, sighting.faceHeight));
+    track.faceHeight = sighting.faceHeight;
     track = withEndFollowed(std::move(track), sighting, m, visibility);
     track = takenIn(std::move(track), sighting, box, options);
     return withCheckedHeading(std::move(track), sighting, around, options);

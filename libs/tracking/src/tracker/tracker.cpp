@@ -67,7 +67,8 @@ public:
         assignment = startTracks(segmented, std::move(assignment));
         enter(Stage::Discrimination);
         judgeTracks(segmented, assignment);
-        tracks_ = withDuplicatesEnded(std::move(tracks_), extents());
+        const std::vector<OrientedBox> extents = discriminator_.extentsOf(tracks_);
+        tracks_ = withDuplicatesEnded(std::move(tracks_), extents);
         FrameResult result = reportFrame(frame, segmented);
         removeEnded();
         if (observer_) observer_(nullptr);
@@ -192,17 +193,17 @@ private:
                     track =
                         glancedTrack(std::move(track), frame, assignment[j], options_.lifecycle);
                 else
-                {
-                    const bool showsHits =
-                        track.stood() &&
-                        anyLiesOn(predicted[j], frame.loose, frame.sensor, options_.association);
-                    track =
-                        withMiss(std::move(track), view,
-                                 {!discriminator_.rulesOut(track), showsHits}, options_.lifecycle);
-                }
+                    track = withMiss(std::move(track), view, unseen(track, predicted[j], frame),
+                                     options_.lifecycle);
                 if (track.misses == 0)
                     track = withConfirmation(std::move(track), options_.lifecycle);
             });
+    }
+
+    Unseen unseen(const Track& track, const PredictedTarget& at, const SegmentedFrame& frame) const
+    {
+        return {!discriminator_.rulesOut(track),
+                track.stood() && anyLiesOn(at, frame.loose, frame.sensor, options_.association)};
     }
 
     // Returns the assignment with the new tracks.
@@ -246,14 +247,6 @@ private:
                                                track),
                 frame.origin.head<2>()));
         return result;
-    }
-
-    std::vector<OrientedBox> extents() const
-    {
-        std::vector<OrientedBox> all;
-        all.reserve(tracks_.size());
-        for (const Track& track : tracks_) all.push_back(discriminator_.extentOf(track));
-        return all;
     }
 
     void removeEnded()
