@@ -142,7 +142,7 @@ TEST_F(Confirmation, WaitsAfterAHopOnToSomethingElse)
     track.surprisedAt = 4;
     EXPECT_EQ(sightingsUntilConfirmed(track, options_.lifecycle), 7);
     track.surprisedAt = 50;
-    EXPECT_EQ(sightingsUntilConfirmed(track, options_.lifecycle), 9) << "not for ever";
+    EXPECT_EQ(sightingsUntilConfirmed(track, options_.lifecycle), 18) << "not for ever";
     ASSERT_EQ(seenUntilConfirmed(0.03, 0.0), 3);
     EXPECT_EQ(track_.surprisedAt, 0);
     Sighting hop = rearAt(0.3, 1.8);

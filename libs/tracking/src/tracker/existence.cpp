@@ -147,7 +147,7 @@ Track withHit(Track track, double time, const LifecycleOptions& options)
 
 Track withConfirmation(Track track, const LifecycleOptions& options)
 {
-    constexpr int kForCalm = 6;
+    constexpr int kForCalm = 15;
     const int enough = options.confirmHits + patienceWith(track, options);
     const int seen = track.sightingsOfState();
     // One that hops on to something else comes to rest there.
