@@ -85,6 +85,8 @@ TEST_F(RegressionRun, OneScenarioFromScansToTable)
     EXPECT_LT(value("position_median_m").value(), 0.5);
     EXPECT_GE(value("vehicles_mota").value(), value("mota").value());
     EXPECT_GT(value("vehicles_hota").value(), 0.5);
+    EXPECT_THAT(contentOf("out/street/log.txt"), HasSubstr("--vehicles-only"));
+    EXPECT_THAT(contentOf("out/street/metrics.json"), HasSubstr("\"vehicles_only\": true"));
     EXPECT_GT(value("time_per_frame_ms").value(), 0.0);
     EXPECT_THAT(run.output, HasSubstr("street"));
     EXPECT_THAT(contentOf("out/regression.md"), HasSubstr("| street | 15 | 1 |"));

@@ -58,6 +58,19 @@ TEST(LooseHits, OneOfThemShowsThatTheVehicleIsThere)
     EXPECT_TRUE(shows(hitsAt({{23.0F, -2.0F}, {24.0F, -3.0F}})));
     EXPECT_FALSE(shows(hitsAt({{23.0F, -2.0F}, {22.0F, -4.9F}})));
     EXPECT_FALSE(shows(Cluster()));
+    // Nor one far ahead in its lane, whichever way that runs.
+    PredictedTarget across = carAhead();
+    across.box = {0.0, 20.0, 0.5 * kPi, 4.5, 1.8};
+    for (const bool isTruck : {false, true})
+    {
+        across.isDrivingTruck = isTruck;
+        const Cluster ahead = hitsAt({{0.5F, 40.0F}});
+        EXPECT_FALSE(anyLiesOn(across, ahead, Eigen::Vector2d::Zero(), {}));
+        EXPECT_EQ(onCar(across, ahead).size(), 0U);
+    }
+    PredictedTarget vague = carAhead();
+    vague.positionSigma.x() = 1.0;
+    EXPECT_FALSE(anyLiesOn(vague, hitsAt({{24.0F, -3.0F}}), Eigen::Vector2d::Zero(), {}));
 }
 
 TEST(LooseHits, BehindTheFarFacesAreOthers)

@@ -155,8 +155,9 @@ TEST(Existence, TracksLastAsLongHoweverFastFramesFollow)
     {
         Track track = trackAhead(0.1);
         for (int k = 1; track.status != TrackStatus::Ended && k < 100; ++k)
-            track = withMiss(track, {interval * k, {0.0, 0.0}, open, FieldOfView(groundAround())},
-                             Unseen(), {});
+            track = withMiss(
+                track, {interval * k, {0.0, 0.0}, open, FieldOfView(groundAround()), interval},
+                Unseen(), {});
         return track.misses * interval;
     };
     EXPECT_NEAR(lasts(0.05), lasts(0.1), 0.06);

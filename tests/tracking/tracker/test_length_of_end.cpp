@@ -4,6 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
+
+#include "tracker/neighbourhood.h"
+#include "tracker/sighting.h"
 
 namespace vdamf
 {
@@ -44,6 +48,16 @@ TEST(LengthOfEnd, BehindATallFaceOfUnknownWidthIsATruckOrABus)
     EXPECT_NEAR(truck.mean(kX) - 0.5 * truck.mean(kLength), 17.5, 1e-9) << "its rear stays";
 }
 
+TEST(LengthOfEnd, WhereNothingWasAssumedWhatIsMuchShorterIsAPart)
+{
+    Track track = partOfARear();
+    track.assumedLength.reset();
+    track.tallest = 2.6;
+    EXPECT_NEAR(followed(track).mean(kLength), 8.5, 1e-9);
+    track.hypotheses->forEach([](VehicleState& state) { state.mean(kLength) = 7.5; });
+    EXPECT_EQ(followed(track).mean(kLength), 7.5);
+}
+
 TEST(LengthOfEnd, NotOfWhatIsHardlyAVehicleNorOfAKnownWidth)
 {
     Track hedge = partOfARear();
@@ -55,6 +69,29 @@ TEST(LengthOfEnd, NotOfWhatIsHardlyAVehicleNorOfAKnownWidth)
     van.told.width = true;
     van.state.width = 2.0;
     EXPECT_LT(followed(van).mean(kLength), 5.5);
+}
+
+TEST(LengthOfEnd, FacesAreAsHighAsTwoSightingsTell)
+{
+    const TrackerOptions options;
+    VehicleKalmanFilter filter{options.motion};
+    Sighting rear;
+    rear.measurement.box = {22.0, 0.0, 0.0, 4.3, 1.8};
+    rear.measurement.covariance.diagonal() << 1e-3, 1e-3, 1e-4, 1e-3, 1e-2;
+    rear.measurement.facesSeen.add(Face::Back);
+    rear.measurement.hits = 30;
+    rear.around = {19.85, 0.0, 0.0, 0.1, 1.8};
+    rear.faceHeight = 1.0;
+    Track track = startedTrack(1, rear, {0.0, 10.0}, options);
+    for (const double height : {2.8, 1.1, 2.7, 2.6})
+    {
+        rear.time += 0.1;
+        rear.faceHeight = height;
+        track = predictedTrack(std::move(track), 0.1, {0.0, 0.0}, filter, options.motion);
+        track = sightedTrack(std::move(track), rear, Neighbourhood(), filter, options);
+        EXPECT_LE(track.tallest, height) << "once higher is an error";
+    }
+    EXPECT_EQ(track.tallest, 2.6);
 }
 
 }  // namespace

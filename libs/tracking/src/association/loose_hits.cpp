@@ -75,6 +75,7 @@ std::vector<Cluster> looseHitsOn(const std::vector<PredictedTarget>& targets,
 bool anyLiesOn(const PredictedTarget& target, const Cluster& hits, const Eigen::Vector2d& sensor,
                const AssociationOptions& options)
 {
+    if (!mayHaveLooseHits(target, options)) return false;
     const VehicleSurface surface(target, sensor, options);
     for (std::size_t i = 0; i < hits.size(); ++i)
         if (surface.has(surface.placeOf(hits, i))) return true;

@@ -17,7 +17,7 @@ std::vector<Cluster> looseHitsOn(const std::vector<PredictedTarget>& targets,
                                  const Cluster& loose, const Eigen::Vector2d& sensor,
                                  const AssociationOptions& options);
 
-/// Whether any of some hits lies on a target.
+/// Whether any of some hits lies on a target that may be a car or van and is in a known place.
 bool anyLiesOn(const PredictedTarget& target, const Cluster& hits, const Eigen::Vector2d& sensor,
                const AssociationOptions& options);
 

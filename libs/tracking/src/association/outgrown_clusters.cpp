@@ -26,6 +26,9 @@ std::vector<PredictedTarget> knownAmong(const std::vector<PredictedTarget>& targ
             t.isDrivingTruck && t.positionSigma.y() < kSureOfOutgrown && t.widthSigma < kSureSize;
         if (isCar || isTruck) known.push_back(t);
     }
+    // Of hits on both a car ahead and the strip that a truck's unknown length leaves, the car's.
+    std::stable_partition(known.begin(), known.end(),
+                          [](const PredictedTarget& t) { return t.isCar; });
     return known;
 }
 
@@ -37,6 +40,15 @@ std::vector<PlaneBounds> boundsOf(const std::vector<PredictedTarget>& targets)
         bounds.push_back(
             PlaneBounds::around(t.box.centre(), 0.5 * std::hypot(t.box.length, t.box.width)));
     return bounds;
+}
+
+// Where a truck ends is not sure: it may go on beyond a gap.
+VehicleSurface surfaceOf(PredictedTarget vehicle, const Eigen::Vector2d& sensor,
+                         const AssociationOptions& options)
+{
+    constexpr double kEndless = 1e6;  // m
+    if (vehicle.isDrivingTruck) vehicle.box.length = kEndless;
+    return {vehicle, sensor, options};
 }
 
 PlaneBounds planeBoundsOf(const Cluster& cluster)
@@ -85,7 +97,7 @@ std::optional<CutCluster> KnownVehicles::cut(const Cluster& cluster,
     std::vector<VehicleSurface> outgrown;
     for (const std::size_t k : index_.overlapping(planeBoundsOf(cluster)))
     {
-        const VehicleSurface surface(vehicles_[k], sensor, options_);
+        const VehicleSurface surface = surfaceOf(vehicles_[k], sensor, options_);
         if (surface.isOutgrownBy(cluster)) outgrown.push_back(surface);
     }
     if (outgrown.empty()) return std::nullopt;

@@ -34,8 +34,6 @@ public:
         { return sigma < kSureSize ? size + slack + 2.0 * sigma : 1e30; };
         most_ = {most(vehicle.box.length, options.lengthSlack, vehicle.lengthSigma),
                  most(vehicle.box.width, options.widthSlack, vehicle.widthSigma)};
-        // Where a truck ends is not sure: it may go on beyond a gap.
-        if (!vehicle.isCar) half_.x() = most_.x() = 1e30;
     }
 
     /// Along and across the box, from its centre at the time of the hit.

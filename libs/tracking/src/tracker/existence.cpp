@@ -169,9 +169,8 @@ Track withMiss(Track track, const OpenView& view, const Unseen& unseen,
     const double missed = 1.0 - options.hitProbability * inView;
     // Frames that follow each other fast see the same.
     constexpr double kNews = 0.1;  // s
-    const double interval = (view.time - track.lastSeen) / track.misses;
-    track.existence =
-        probabilityOf(oddsOf(track.existence) * std::pow(missed, std::min(1.0, interval / kNews)));
+    track.existence = probabilityOf(oddsOf(track.existence) *
+                                    std::pow(missed, std::min(1.0, view.interval / kNews)));
     const double variance = 0.5 * track.state.covariance.topLeftCorner<2, 2>().trace();
     const bool isLost = track.existence < options.endProbability ||
                         view.time - track.lastSeen > options.maxCoast ||

@@ -82,13 +82,17 @@ Track withEndFollowed(Track track, const Sighting& sighting, const Measurement& 
     const auto now = lengthBehindEnd(track, options);
     if (!now) track.assumedLength.reset();
     if (!now || !m.facesSeen.seesEnd()) return track;
-    if (track.assumedLength)
-    {
-        const double seen = m.facesSeen.has(Face::Front) ? 1.0 : -1.0;
-        track.hypotheses->forEach(
-            [&](VehicleState& state)
-            { state = withLengthAssumed(state, *track.assumedLength, *now, seen); });
-    }
+    const double seen = m.facesSeen.has(Face::Front) ? 1.0 : -1.0;
+    track.hypotheses->forEach(
+        [&](VehicleState& state)
+        {
+            const AssumedSize its{state.mean(kLength),
+                                  std::sqrt(state.covariance(kLength, kLength))};
+            // Where nothing was assumed, what is clearly shorter has a part of it.
+            const bool isPart = now->metres - its.metres > now->sigma;
+            if (track.assumedLength || isPart)
+                state = withLengthAssumed(state, track.assumedLength.value_or(its), *now, seen);
+        });
     track.assumedLength = now;
     return track;
 }

@@ -62,13 +62,14 @@ double lowestOfEnd(const Measurement& m, double row, const Cluster& hits)
     }
     return static_cast<double>(lowest.back());
 }
+
 // Whether nothing stands in the gap past the front (end 1) or rear (0) of a box, nor before it.
 bool isOpenPast(const OrientedBox& box, int end, const Eigen::Vector2d& sensor,
                 const RangeProfile& profile)
 {
-    constexpr double kPast[] = {kPastEnd, 1.1, 1.6};  // m
+    constexpr double kThroughGap[] = {kPastEnd, 1.1, 1.6};  // m
     return std::all_of(
-        std::begin(kPast), std::end(kPast),
+        std::begin(kThroughGap), std::end(kThroughGap),
         [&](double metres)
         {
             const Eigen::Vector2d ray = placePastEnd(box, sensor, 0, end, metres) - sensor;
@@ -190,11 +191,11 @@ double heightOfFaces(const Measurement& m, const Eigen::Vector2d& sensor, const 
         const Eigen::Vector2f place = toBox * (Eigen::Vector2f(hits.x[i], hits.y[i]) - centre);
         const Eigen::Array2f past = place.array().abs() - half;
         if ((past > kPast).any()) continue;
-        const bool onEnd = m.facesSeen.seesEnd() &&
-                           std::abs(past.x())<kOn&& static_cast<double>(place.x()) * view.x()> 0.0;
-        const bool onSide = m.facesSeen.seesSide() &&
-                            std::abs(past.y())<kOn&& static_cast<double>(place.y()) * view.y()> 0.0;
-        if (!onEnd && !onSide) continue;
+        const Eigen::Array2f off = past.abs();
+        const Eigen::Array2d towards = place.cast<double>().array() * view.array();
+        const bool isOnEnd = m.facesSeen.seesEnd() && off.x() <= kOn && towards.x() > 0.0;
+        const bool isOnSide = m.facesSeen.seesSide() && off.y() <= kOn && towards.y() > 0.0;
+        if (!isOnEnd && !isOnSide) continue;
         highest.back() = hits.height[i];
         std::sort(highest.begin(), highest.end(), std::greater<>());
     }

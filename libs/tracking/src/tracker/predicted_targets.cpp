@@ -10,6 +10,7 @@ namespace vdamf
 std::vector<PredictedTarget> predictedTargets(const std::vector<Track>& tracks,
                                               const Discriminator& discriminator)
 {
+    constexpr double kMayStand = 0.05;  // probability
     std::vector<PredictedTarget> all;
     all.reserve(tracks.size());
     for (const Track& track : tracks)
@@ -30,7 +31,7 @@ std::vector<PredictedTarget> predictedTargets(const std::vector<Track>& tracks,
                        track.box().width < widestCar(track.height);
         target.isDrivingTruck = probability > kSurelyAVehicle && !target.isCar &&
                                 track.told.width && track.box().width < kWidestTruck &&
-                                !track.stood();
+                                track.stoodProbability < kMayStand;
         target.isClutter = probability < 1.0 - kSurelyAVehicle;
         all.push_back(target);
     }

@@ -225,11 +225,11 @@ Sighting sightingOf(const SegmentedFrame& frame, const std::vector<std::size_t>&
     s.around = rectangleAround(*seen.hits, m.box.heading);
     s.end = rowAlongFace(*seen.hits, m.box, sensor, 0);
     s.side = rowAlongFace(*seen.hits, m.box, sensor, 1);
+    m = withinRowOfSide(s, frame);
     if (seen.goesOn) m = goingOnTowards(m, *seen.goesOn);
 
     m = withoutEndsBelowView(s, frame);
     m = withoutEndOfShortSide(s);
-    m = withinRowOfSide(s, frame);
     m = withRowsBetweenHiddenEnds(s);
     m = withTurnOfLayers(s, seen);
     m = withTurnOfPieces(s);

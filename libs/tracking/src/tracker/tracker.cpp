@@ -114,6 +114,7 @@ private:
     void predictTracks(const LadarFrame& frame)
     {
         const double dt = time_ ? frame.time - *time_ : 0.0;
+        interval_ = dt;
         const Eigen::Vector3d moved = origin_ - frame.origin;
         alignment_.goOn(-moved.head<2>(), frame.time);
         time_ = frame.time;
@@ -173,7 +174,7 @@ private:
                       std::vector<std::optional<Sighting>> sightings,
                       const std::vector<PredictedTarget>& predicted, const Neighbourhood& around)
     {
-        const OpenView view{frame.time, frame.sensor, frame.profile, field};
+        const OpenView view{frame.time, frame.sensor, frame.profile, field, interval_};
         workers_.forEach(
             tracks_.size(),
             [&](std::size_t j, std::size_t worker)
@@ -193,8 +194,10 @@ private:
                     track =
                         glancedTrack(std::move(track), frame, assignment[j], options_.lifecycle);
                 else
-                    track = withMiss(std::move(track), view, unseen(track, predicted[j], frame),
-                                     options_.lifecycle);
+                {
+                    const Unseen known = unseen(track, predicted[j], frame);
+                    track = withMiss(std::move(track), view, known, options_.lifecycle);
+                }
                 if (track.misses == 0)
                     track = withConfirmation(std::move(track), options_.lifecycle);
             });
@@ -265,6 +268,7 @@ private:
     std::vector<Track> tracks_;  // by rising id
     std::uint64_t nextId_ = 1;
     std::optional<double> time_;
+    double interval_ = 0.0;                             // between the last two frames, s
     Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();  // of the last frame
 };
 
