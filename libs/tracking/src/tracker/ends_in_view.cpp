@@ -100,8 +100,7 @@ Inside insideOf(const VehicleState& foretold, const OrientedBox& box, int axis, 
 
 Measurement withEndsOutOfView(const Sighting& sighting, const SegmentedFrame& frame)
 {
-    constexpr double kPast[] = {kPastEnd, 1.1, 1.6};  // m
-    constexpr double kUpperSigma = 1.0;               // m
+    constexpr double kUpperSigma = 1.0;  // m
     Measurement m = sighting.measurement;
     m.shadowEdges = shadowEdges(m.box, m.facesSeen, frame.sensor, frame.profile);
     const FaceSet blocked = blockedEnds(m.box, m.facesSeen, frame.sensor, frame.profile);
@@ -117,9 +116,9 @@ Measurement withEndsOutOfView(const Sighting& sighting, const SegmentedFrame& fr
             if (!blocked.has(face) || grazed.has(face)) continue;
             const auto past = [&](double metres)
             { return placePastEnd(m.box, frame.sensor, axis, end, metres); };
-            const std::vector<double> slopes = slopesNear(past(kPast[0]), sighting, frame);
+            const std::vector<double> slopes = slopesNear(past(kPastEnd), sighting, frame);
             PastEnd worst = PastEnd::Open;
-            for (const double metres : kPast)
+            for (const double metres : kFartherPastEnd)
                 worst = std::max(worst, viewPast(past(metres), slopes, sighting, frame));
             if (worst == PastEnd::Blocked) continue;
             m.hiddenEnds.remove(face);

@@ -67,9 +67,8 @@ double lowestOfEnd(const Measurement& m, double row, const Cluster& hits)
 bool isOpenPast(const OrientedBox& box, int end, const Eigen::Vector2d& sensor,
                 const RangeProfile& profile)
 {
-    constexpr double kThroughGap[] = {kPastEnd, 1.1, 1.6};  // m
     return std::all_of(
-        std::begin(kThroughGap), std::end(kThroughGap),
+        std::begin(kFartherPastEnd), std::end(kFartherPastEnd),
         [&](double metres)
         {
             const Eigen::Vector2d ray = placePastEnd(box, sensor, 0, end, metres) - sensor;

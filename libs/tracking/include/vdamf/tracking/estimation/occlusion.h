@@ -10,6 +10,8 @@ namespace vdamf
 {
 /// Where the ray goes that would see more of a face, past its end, m.
 inline constexpr double kPastEnd = 0.6;
+/// And where the others go that tell whether it is free beyond, m.
+inline constexpr double kFartherPastEnd[] = {kPastEnd, 1.1, 1.6};
 /// By how much that ray goes on where nothing is in its way, m.
 inline constexpr double kFreeRange = 0.4;
 
