@@ -220,6 +220,12 @@ TEST(MotionHypotheses, MixtureHasTheSpreadOfItsMeans)
     EXPECT_NEAR(both.mean(kSpeed), 2.0, 1e-12);
     EXPECT_NEAR(both.covariance(kSpeed, kSpeed), 0.5 + 0.25 * 16.0, 1e-12);
     EXPECT_NEAR(std::abs(both.mean(kHeading)), kPi, 1e-12);
+
+    h.standingProbability = 0.98;  // as likely as it gets
+    const VehicleState surelyStands = h.combined(MotionOptions());
+    EXPECT_NEAR(surelyStands.mean(kSpeed), 0.0, 1e-12);
+    EXPECT_NEAR(surelyStands.covariance(kSpeed, kSpeed), 0.02 * (1.0 + 16.0), 1e-12)
+        << "and yet it may drive";
 }
 
 // A pedestrian steps aside, which no wheels do.

@@ -12,6 +12,9 @@ namespace vdamf
 /// Mean and covariance of `one`, or with probability p of `other`; steering as of the first one.
 VehicleState mixed(const VehicleState& one, const VehicleState& other, double p);
 
+/// The same mean, and the covariance around it if the probability of `other` is `ofSpread`.
+VehicleState mixed(const VehicleState& one, const VehicleState& other, double p, double ofSpread);
+
 /// Mean and covariance of states that are mixed more than once, with other weights each time.
 class Mixture
 {

@@ -176,11 +176,12 @@ VehicleState MotionHypotheses::combined(const MotionOptions& options) const
 {
     const double freeShare = share(freeProbability);
     const double standingShare = share(standingProbability);
-    if (standingShare == 1.0) return standing;
     const VehicleState wheels = onWheels(*this);
     const VehicleState moving =
         freeShare > 0.0 ? mixed(wheels, variableAxisOf(free, wheels, options), freeShare) : wheels;
-    return standingShare > 0.0 ? mixed(moving, standing, standingShare) : moving;
+    if (standingShare == 0.0) return moving;
+    // What stands has no speed; that it may drive all the same its covariance tells.
+    return mixed(moving, standing, standingShare, std::min(standingShare, standingProbability));
 }
 
 MotionHypotheses hypothesesFrom(const VehicleState& state, const MotionOptions& options)
