@@ -110,6 +110,21 @@ TEST_F(EvaluateAppTest, OneFlipIsCountedOnce)
     EXPECT_NEAR(m["errors"]["speed_mps"]["max"].get<double>(), 0.0, 1e-9);
 }
 
+TEST_F(EvaluateAppTest, LengthTakenForWidthIsCounted)
+{
+    writeTables(
+        [](TrackRow row, int frame) -> std::vector<TrackRow>
+        {
+            const bool isAcross = frame >= 7 && frame < 10 && row.report.id == 1;
+            if (isAcross) row.report.box.heading += 0.5 * kPi;
+            row.report.axesProbability = isAcross && frame == 7 ? 0.6 : 0.995;
+            return {row};
+        });
+    const Json m = metrics();
+    EXPECT_EQ(m["errors"]["exchanged"], 3);
+    EXPECT_EQ(m["errors"]["exchanged_though_sure"], 2);
+}
+
 TEST_F(EvaluateAppTest, ClutterAndItsProbability)
 {
     writeTables(

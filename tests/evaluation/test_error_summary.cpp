@@ -53,9 +53,13 @@ TEST(ErrorSummary, CountsWhatIsKnown)
     errors[2].flipped = true;
     errors[2].trueSpeed = 4.0;
     errors[3].flipped = true;
+    errors[0].exchanged = errors[1].exchanged = true;
+    errors[1].axesProbability = errors[2].axesProbability = 0.99;
     const ErrorSummary summary = summaryOf(errors);
     EXPECT_EQ(summary.pairs, 4U);
     EXPECT_EQ(summary.flips, 2U);
+    EXPECT_EQ(summary.exchanged, 2U);
+    EXPECT_EQ(summary.exchangedThoughSure, 1U);
     EXPECT_EQ(summary.frontShare(), 0.5);
     EXPECT_EQ(summaryOf({}).frontShare(), std::nullopt);
     EXPECT_EQ(flipsOfMoving(errors, 0.3), 1U);

@@ -32,6 +32,8 @@ TrackReport randomReport(std::mt19937_64& random, std::uint64_t id)
     report.covariance.bottomLeftCorner<1, 3>().setZero();
     report.lengthVariance = 0.25 + 0.1 * any(random);
     report.widthVariance = 0.04;
+    report.forwardProbability = 0.5 + 0.1 * any(random);
+    report.axesProbability = 0.5 - 0.1 * any(random);
     if (id % 3 == 0) report.type = TypeProbability{VehicleType::Van, 0.625};
     return report;
 }
@@ -58,6 +60,8 @@ void expectSame(const TrackReport& a, const TrackReport& b)
     EXPECT_LT((a.covariance - b.covariance).cwiseAbs().maxCoeff(), 1e-9);
     EXPECT_NEAR(a.lengthVariance, b.lengthVariance, 1e-7);
     EXPECT_NEAR(a.widthVariance, b.widthVariance, 1e-7);
+    EXPECT_NEAR(a.forwardProbability, b.forwardProbability, 1e-6);
+    EXPECT_NEAR(a.axesProbability, b.axesProbability, 1e-6);
     EXPECT_EQ(a.type.has_value(), b.type.has_value());
     EXPECT_EQ(a.type.value_or(TypeProbability()).type, b.type.value_or(TypeProbability()).type);
 }
@@ -180,6 +184,7 @@ TEST_F(TablesTest, NumbersFollowTheColumns)
     report.type = TypeProbability{VehicleType::Truck, 0.75};
     EXPECT_EQ(toNumbers(0.0, report)[28], static_cast<double>(VehicleType::Truck));
     EXPECT_EQ(toNumbers(0.0, report)[29], 0.75);
+    EXPECT_EQ(of("axes_probability"), report.axesProbability);
     report.vehicleProbability = 0.49;
     EXPECT_EQ(toNumbers(0.0, report)[4], 0.0);
     report.vehicleProbability = 0.5;

@@ -19,6 +19,8 @@ TrackReport exampleTrack()
     track.id = 123456;
     track.status = TrackStatus::Coasting;
     track.vehicleProbability = 0.75;
+    track.forwardProbability = 0.25;
+    track.axesProbability = 0.9375;
     track.box = {10.5, -20.25, 1.5, 4.5, 1.8};
     track.z = -0.5;
     track.height = 1.5;

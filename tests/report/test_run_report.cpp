@@ -57,6 +57,7 @@ TEST(RunReport, CarriesFramesAndTracks)
     EXPECT_EQ(track["faces"][0], "B");
     EXPECT_EQ(track["probability"][0], nullptr);
     EXPECT_EQ(track["forward"][0], 0.5);
+    EXPECT_EQ(track["axes"][0], 0.5);
     EXPECT_EQ(track["varHeading"][0], 0.0004);
     EXPECT_EQ(track["measured"][0], json::parse("[5022.1, 200.1, 0.01, 4.2, 2.1]"));
     EXPECT_EQ(run["truth"], nullptr);

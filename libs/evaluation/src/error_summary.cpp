@@ -78,7 +78,13 @@ ErrorSummary summaryOf(const std::vector<PoseError>& errors)
     const auto of = [&](auto member) { return statisticsOf(valuesOf(errors, member)); };
     ErrorSummary result;
     result.pairs = errors.size();
-    for (const PoseError& error : errors) result.flips += error.flipped ? 1U : 0U;
+    const auto count = [&](auto holds)
+    { return static_cast<std::size_t>(std::count_if(errors.begin(), errors.end(), holds)); };
+    constexpr double kSure = 0.99;  // probability
+    result.flips = count([](const PoseError& e) { return e.flipped; });
+    result.exchanged = count([](const PoseError& e) { return e.exchanged; });
+    result.exchangedThoughSure =
+        count([](const PoseError& e) { return e.exchanged && e.axesProbability >= kSure; });
     result.position = of(&PoseError::position);
     result.longitudinal = of(&PoseError::longitudinal);
     result.lateral = of(&PoseError::lateral);

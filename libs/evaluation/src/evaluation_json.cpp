@@ -44,6 +44,8 @@ Json errorsJson(const ErrorSummary& e)
     return {{"pairs", e.pairs},
             {"flips", e.flips},
             {"front_share", e.frontShare() ? number(*e.frontShare()) : Json(nullptr)},
+            {"exchanged", e.exchanged},
+            {"exchanged_though_sure", e.exchangedThoughSure},
             {"position_m", statisticsJson(e.position)},
             {"longitudinal_m", statisticsJson(e.longitudinal)},
             {"lateral_m", statisticsJson(e.lateral)},

@@ -96,6 +96,8 @@ PoseError errorOf(const TruthRow& truth, const TrackReport& track)
     e.heading = wrapAngle(track.box.heading - truth.box.heading);
     e.headingAxis = wrapHalfTurn(e.heading);
     e.flipped = std::abs(e.heading) > 0.5 * kPi;
+    e.exchanged = std::abs(e.headingAxis) > 0.25 * kPi;
+    e.axesProbability = track.axesProbability;
     e.trueSpeed = truth.speed;
     e.trackSpeed = track.speed;
     e.speed = (e.flipped ? -track.speed : track.speed) - truth.speed;

@@ -37,9 +37,10 @@ struct Column
 constexpr const char* kForward = "forward_probability";
 constexpr const char* kType = "vehicle_type";
 constexpr const char* kTypeProbability = "type_probability";
+constexpr const char* kAxes = "axes_probability";
 
 // Order of toNumbers().
-constexpr std::array<Column, 30> kTrackColumns = {{{"time_s", Form::Decimals6},
+constexpr std::array<Column, 31> kTrackColumns = {{{"time_s", Form::Decimals6},
                                                    {"track_id", Form::Whole},
                                                    {"status", Form::Status},
                                                    {"vehicle_probability", Form::Decimals6},
@@ -68,7 +69,8 @@ constexpr std::array<Column, 30> kTrackColumns = {{{"time_s", Form::Decimals6},
                                                    {"var_width_m2", Form::Significant8},
                                                    {kForward, Form::Decimals6},
                                                    {kType, Form::Type},
-                                                   {kTypeProbability, Form::Decimals6}}};
+                                                   {kTypeProbability, Form::Decimals6},
+                                                   {kAxes, Form::Decimals6}}};
 
 std::string significant(double value)
 {
@@ -145,6 +147,15 @@ Eigen::Matrix4d covarianceOf(const CsvReader& reader)
     return upper.selfadjointView<Eigen::Upper>();
 }
 
+// What the table may not hold.
+double probabilityIn(const CsvReader& reader, const char* column, double unknown)
+{
+    const auto known = reader.hasColumn(column) ? reader.optionalNumber(column) : std::nullopt;
+    const double probability = known.value_or(unknown);
+    if (probability >= 0.0 && probability <= 1.0) return probability;
+    reader.fail(column, "expected a number from 0 to 1");
+}
+
 std::optional<TypeProbability> typeOf(const CsvReader& reader)
 {
     if (!reader.hasColumn(kType) || reader.text(kType).empty()) return std::nullopt;
@@ -152,12 +163,7 @@ std::optional<TypeProbability> typeOf(const CsvReader& reader)
     if (!type)
         reader.fail(kType, "unknown type '" + reader.text(kType) +
                                "'; expected car, van, truck, two_wheeler or any");
-    const double probability = reader.hasColumn(kTypeProbability)
-                                   ? reader.optionalNumber(kTypeProbability).value_or(1.0)
-                                   : 1.0;
-    if (!(probability >= 0.0 && probability <= 1.0))
-        reader.fail(kTypeProbability, "expected a number from 0 to 1");
-    return TypeProbability{*type, probability};
+    return TypeProbability{*type, probabilityIn(reader, kTypeProbability, 1.0)};
 }
 
 TrackReport reportOf(const CsvReader& reader)
@@ -169,9 +175,7 @@ TrackReport reportOf(const CsvReader& reader)
     report.vehicleProbability = reader.optionalNumber("vehicle_probability");
     const double probability = report.vehicleProbability.value_or(0.0);
     if (probability < 0.0 || probability > 1.0)
-    {
         reader.fail("vehicle_probability", "expected a number from 0 to 1");
-    }
     if (const std::optional<double> isVehicle = reader.optionalNumber("is_vehicle"))
     {
         if (*isVehicle != 0.0 && *isVehicle != 1.0) reader.fail("is_vehicle", "expected 0 or 1");
@@ -190,11 +194,8 @@ TrackReport reportOf(const CsvReader& reader)
     report.covariance = covarianceOf(reader);
     report.lengthVariance = varianceIn(reader, "var_length_m2");
     report.widthVariance = varianceIn(reader, "var_width_m2");
-    if (const auto forward =
-            reader.hasColumn(kForward) ? reader.optionalNumber(kForward) : std::nullopt)
-        report.forwardProbability = *forward;
-    if (!(report.forwardProbability >= 0.0 && report.forwardProbability <= 1.0))
-        reader.fail(kForward, "expected a number from 0 to 1");
+    report.forwardProbability = probabilityIn(reader, kForward, report.forwardProbability);
+    report.axesProbability = probabilityIn(reader, kAxes, report.axesProbability);
     report.type = typeOf(reader);
     return report;
 }
@@ -202,7 +203,7 @@ TrackReport reportOf(const CsvReader& reader)
 std::vector<std::string> requiredColumns()
 {
     std::vector<std::string> names = trackColumns();
-    for (const char* optional : {kForward, kType, kTypeProbability})
+    for (const char* optional : {kForward, kType, kTypeProbability, kAxes})
         names.erase(std::find(names.begin(), names.end(), optional));
     return names;
 }
@@ -262,7 +263,8 @@ std::vector<double> toNumbers(double time, const TrackReport& report)
             report.widthVariance,
             report.forwardProbability,
             report.type ? static_cast<double>(report.type->type) : kNothing,
-            report.type ? report.type->probability : kNothing};
+            report.type ? report.type->probability : kNothing,
+            report.axesProbability};
 }
 
 std::string toCsv(const FrameResult& frame)
@@ -273,9 +275,7 @@ std::string toCsv(const FrameResult& frame)
         const std::vector<double> numbers = toNumbers(frame.time, report);
         std::vector<std::string> cells;
         for (std::size_t i = 0; i < kTrackColumns.size(); ++i)
-        {
             cells.push_back(cellOf(numbers[i], kTrackColumns[i].form));
-        }
         lines += joined(cells, ",") + '\n';
     }
     return lines;

@@ -103,6 +103,7 @@ TrackReport reportOf(const Row& row)
     if (const std::optional<double> vehicle = row.optional("is_vehicle"))
         report.isVehicle = *vehicle > 0.5;
     report.forwardProbability = row.optional("forward_probability").value_or(0.5);
+    report.axesProbability = row.optional("axes_probability").value_or(0.5);
     report.type = typeOf(row);
     report.box = {row.required("x_m"), row.required("y_m"), row.required("heading_rad"),
                   row.required("length_m"), row.required("width_m")};

@@ -96,7 +96,9 @@ std::string errorsText(const Evaluation& e)
     text += errorLine("width, m", s.width, 1.0, 3);
     text += "  overlap: mean " + numberCell(s.pairs > 0 ? s.overlap.bias : kUnknown, 3) +
             "; front taken for rear in " + countText(s.flips) + " pairs, " +
-            countText(e.flipsOfMoving) + " of them moving\n";
+            countText(e.flipsOfMoving) + " of them moving\n  length taken for width in " +
+            countText(s.exchanged) + " pairs, in " + countText(s.exchangedThoughSure) +
+            " of them though sure (99 %)\n";
     if (s.pairs > 0 && s.corner.count == 0)
         text += "  The truth has no sensor_x_m, sensor_y_m: no corners, nothing by range\n";
     const ErrorStatistics& still = e.phantomSpeed;

@@ -27,6 +27,7 @@ void append(Json& columns, std::size_t frame, const TrackReport& t)
     add("z", rounded(t.z, 2));
     add("heading", rounded(t.box.heading, 4));
     add("forward", rounded(t.forwardProbability, 3));
+    add("axes", rounded(t.axesProbability, 3));
     add("speed", rounded(t.speed, 3));
     add("yawRate", rounded(t.yawRate, 4));
     add("length", rounded(t.box.length, 3));

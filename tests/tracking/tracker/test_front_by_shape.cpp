@@ -153,6 +153,7 @@ speed_mps = 0
             EXPECT_GT(std::cos(track.box.heading - last.truth.box.heading), 0.9)
                 << name << ", seed " << seed;
             EXPECT_GT(track.forwardProbability, 0.8) << name << ", seed " << seed;
+            EXPECT_GT(track.axesProbability, 0.99) << name << ", seed " << seed;
             ++found;
         }
         EXPECT_EQ(found, objects);

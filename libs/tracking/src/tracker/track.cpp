@@ -96,6 +96,7 @@ TrackReport reportOf(const Track& track, const OrientedBox& extent,
     report.speed = track.state.mean(kSpeed);
     report.yawRate = track.state.yawRate();
     report.forwardProbability = track.front.forwardProbability();
+    report.axesProbability = track.front.axesProbability();
     report.type = track.type;
     report.covariance = toldCovariance(track.state, track.errors, options);
     report.lengthVariance = toldLengthVariance(track.state, track.errors, options);

@@ -15,7 +15,9 @@ namespace vdamf
 struct ErrorSummary
 {
     std::size_t pairs = 0;
-    std::size_t flips = 0;  ///< pairs with front taken for rear
+    std::size_t flips = 0;                ///< pairs with front taken for rear
+    std::size_t exchanged = 0;            ///< with length taken for width
+    std::size_t exchangedThoughSure = 0;  ///< of those, that a track said to be 99 % sure not to be
     /// Of the pairs with the front where it is; nothing without pairs.
     std::optional<double> frontShare() const;
     ErrorStatistics position;

@@ -33,6 +33,8 @@ struct PoseError
     double heading = 0.0;      ///< (-pi, pi]
     double headingAxis = 0.0;  ///< the same modulo pi, (-pi/2, pi/2]: front or rear does not count
     bool flipped = false;      ///< front taken for rear: |heading| above 90 deg
+    bool exchanged = false;    ///< length taken for width: |headingAxis| above 45 deg
+    double axesProbability = 0.5;  ///< that it is not, as the track says
     /// Along the object's true heading: the track's speed counts backwards where it is flipped.
     double speed = 0.0;
     double trueSpeed = 0.0;

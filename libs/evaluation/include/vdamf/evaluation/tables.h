@@ -60,7 +60,8 @@ const std::vector<std::string>& trackColumns();
 std::string tracksHeader();                   ///< with the line's end
 std::string toCsv(const FrameResult& frame);  ///< one line a track
 /// What the table does not hold stays empty: measuredBox, the covariances of the speed. A table
-/// without forward_probability knows nothing of it: 0.5; one without vehicle_type of types.
+/// without forward_probability or axes_probability knows nothing of it: 0.5; one without
+/// vehicle_type of types.
 std::vector<TrackRow> readTracks(const std::filesystem::path& path);
 
 /// The columns of tracks.csv as numbers, in order (status by its enum value, faces by their bits,

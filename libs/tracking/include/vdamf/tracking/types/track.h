@@ -44,6 +44,8 @@ struct TrackReport
     double yawRate = 0.0;                      ///< rad/s
     /// That the heading points to the front rather than to the rear; 0.5: nothing tells.
     double forwardProbability = 0.5;
+    /// That length and width are not exchanged; 0.5: nothing tells.
+    double axesProbability = 0.5;
     int points = 0;      ///< hits assigned in this frame
     double match = 0.0;  ///< matched filter response per hit, 1/m; 0 if none
     /// Normalised innovation squared of this frame's update, 3 degrees of freedom.
