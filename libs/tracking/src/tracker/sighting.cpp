@@ -12,6 +12,7 @@
 #include "tracker/ends_in_view.h"
 #include "tracker/front_by_shape.h"
 #include "tracker/layers_of_end.h"
+#include "tracker/layers_of_side.h"
 #include "tracker/partial_faces.h"
 #include "types/hit_bounds.h"
 #include "types/lanes.h"
@@ -231,6 +232,7 @@ Sighting sightingOf(const SegmentedFrame& frame, const std::vector<std::size_t>&
     m = withoutEndsBelowView(s, frame);
     m = withoutEndOfShortSide(s);
     m = withRowsBetweenHiddenEnds(s);
+    m = withTurnOfSideLayers(s, seen);
     m = withTurnOfLayers(s, seen);
     m = withTurnOfPieces(s);
     m = withTurnOfParts(s, seen);
