@@ -50,6 +50,8 @@ Track movedBy(Track track, const PlaneMotion& by)
     };
     track.hypotheses->forEach(move);
     move(track.state);
+    if (track.shownHeading)
+        track.shownHeading->heading = wrapAngle(track.shownHeading->heading + by.turn);
     for (PathPoint& point : track.path)
     {
         point.box = by.of(point.box);

@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "tracker/shown_heading.h"
 #include "tracker/sighting.h"
 #include "types/boxed.h"
 #include "vdamf/tracking/discrimination/classify.h"
@@ -75,7 +76,8 @@ struct Track
     std::vector<PathPoint> path;  ///< sightings of the last seconds
     bool isFaceless = false;      ///< tracked by its hits alone, as riders and people are
     Judgement judgement;
-    std::vector<double> typeEvidence;  ///< by filter of the bank, log-likelihoods
+    std::optional<ShownHeading> shownHeading;  ///< while it stands
+    std::vector<double> typeEvidence;          ///< by filter of the bank, log-likelihoods
     std::optional<TypeProbability> type;
     double stoodProbability = 0.0;  ///< that it did, before the last prediction
     // Of the current frame:

@@ -85,6 +85,17 @@ bool isLastGlimpse(const Track& track, const Sighting& sighting, double margin)
     return isPart && !showsFaces && isWithin(sighting.around, track.box(), margin);
 }
 
+// With the heading that it showed since it came to stand.
+Track withShownHeading(Track track, const Measurement& m, const Eigen::Vector2d& sensor)
+{
+    if (!stands(track))
+        track.shownHeading.reset();
+    else
+        track.shownHeading =
+            track.shownHeading.value_or(ShownHeading()).after(m, viewOf(track.state.box(), sensor));
+    return track;
+}
+
 // The whole box by a sighting, at the time of its hits; `then`: what was foretold for that time.
 BoxMeasurement boxOf(const Sighting& sighting, const Measurement& m, const Track& track,
                      const VehicleState& then, const VisibilityOptions& options)
@@ -218,8 +229,12 @@ Track sightedTrack(Track track, const Sighting& sighting, const Neighbourhood& a
     const VehicleState foretold = stateAt(track.state, sighting.lag, options.motion);
     Measurement m = withKnownAxes(alignedWith(sighting.measurement, foretold.mean(kHeading)),
                                   foretold, track.front.axesProbability());
-    m = stands(track) ? turnedBack(m, track.state, sighting.around.centre())
-                      : withoutShortUpperEnds(m, foretold.box());
+    track = withShownHeading(std::move(track), m, sighting.sensor);
+    if (track.shownHeading)
+        m = turnedBack(turnedTowards(*track.shownHeading, m, sighting.around.centre()), track.state,
+                       sighting.around.centre());
+    else
+        m = withoutShortUpperEnds(m, foretold.box());
     m = withoutShadowEdges(m, foretold, sighting.around.centre());
     track.measurement = m;
     track.hits = m.hits;
