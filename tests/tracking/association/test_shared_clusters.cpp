@@ -60,6 +60,17 @@ TEST(SharedClusters, ThatOfTwoOfThreeParkedCars)
     EXPECT_EQ(found[0].targets, (std::vector<std::size_t>{1, 2})) << "the first one has no hits";
 }
 
+TEST(SharedClusters, ThatOfTwoThatPassHalfAMetreApart)
+{
+    // Turned by four degrees, as its heading errs, a corner of one box lies in the other.
+    const Cluster both = together(outline(rearAndSide(10.0, 0.0)), outline(rearAndSide(11.0, 2.3)));
+    PredictedTarget turned = predictedCar(11.0, 1.93);
+    turned.box.heading = 0.07;
+    EXPECT_EQ(shared({predictedCar(10.0, 0.0), turned}, both).size(), 1U);
+    turned.box.y = 1.2;
+    EXPECT_TRUE(shared({predictedCar(10.0, 0.0), turned}, both).empty()) << "one on the other";
+}
+
 TEST(SharedClusters, NotThatOfOneCarBesideAnother)
 {
     const Cluster one = outline(rearAndSide(10.0, 0.0));

@@ -40,6 +40,15 @@ bool overlap(const OrientedBox& a, const OrientedBox& b)
     return !hasSeparatingAxis(a, b) && !hasSeparatingAxis(b, a);
 }
 
+// As two that pass each other closely may seem to, where their headings err by a few degrees.
+OrientedBox withSlack(OrientedBox box)
+{
+    constexpr double kSlack = 0.2;  // m, on each side
+    box.length = std::max(0.0, box.length - 2.0 * kSlack);
+    box.width = std::max(0.0, box.width - 2.0 * kSlack);
+    return box;
+}
+
 // Squared distances of the hits of a cluster from a target.
 struct HitsOfTarget
 {
@@ -91,7 +100,7 @@ std::vector<std::size_t> targetsOn(const Hits& hits, const std::vector<std::size
         const bool shares =
             &fit == &*best ||
             (onlyOn(fit, *best, hits) >= least && onlyOn(*best, fit, hits) >= least &&
-             !overlap(targets[fit.target].box, targets[best->target].box));
+             !overlap(withSlack(targets[fit.target].box), withSlack(targets[best->target].box)));
         if (shares) sharing.push_back(fit.target);
     }
     return sharing;
