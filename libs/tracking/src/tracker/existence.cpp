@@ -164,8 +164,8 @@ Track withMiss(Track track, const OpenView& view, const Unseen& unseen,
     ++track.misses;
     // What was hardly seen yet is not worth waiting for, and pieces of bushes are new ones anyway.
     const bool isWaitedFor = unseen.mayBeVehicle && track.status != TrackStatus::Tentative;
-    const double seenThrough = isWaitedFor ? shareSeenThrough(track, view) : 1.0;
-    const double inView = isWaitedFor && unseen.showsHits ? 0.0 : seenThrough;
+    double inView = 1.0;
+    if (isWaitedFor) inView = unseen.showsHits ? 0.0 : shareSeenThrough(track, view);
     const double missed = 1.0 - options.hitProbability * inView;
     // Frames that follow each other fast see the same.
     constexpr double kNews = 0.1;  // s

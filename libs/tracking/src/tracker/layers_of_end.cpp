@@ -12,9 +12,9 @@ namespace vdamf
 {
 namespace
 {
-constexpr FaceBand kBand{0.35F, 0.8F, -1.0F};
-constexpr double kLeastHits = 3.0;  // of a layer that tells where the face is
-constexpr double kMostTurn = 0.6;   // rad
+constexpr FaceBand kEndBand{0.35F, 0.8F, -1.0F};
+constexpr double kLeastOfLayer = 3.0;  // of a layer that tells where the face is
+constexpr double kMostTurn = 0.6;      // rad
 
 // Trucks' ends are flat, and of all their rows a measurement may follow one. The ends of others are
 // bowed, so that their rows are turned where a piece of them is seen.
@@ -41,11 +41,11 @@ double errorTold(double turn, double height)
 // To the left, m: the middle of the layer that reaches farthest.
 double middleOfOutermost(const Layers& layers, double slope)
 {
-    double least = kBand.behind;
+    double least = kEndBand.behind;
     double middle = 0.0;
     for (const LayerSums& layer : layers)
     {
-        if (layer(0, 0) < kLeastHits) continue;
+        if (layer(0, 0) < kLeastOfLayer) continue;
         const double behind = (layer(0, 2) - slope * layer(0, 1)) / layer(0, 0);
         if (behind >= least) continue;
         least = behind;
@@ -62,7 +62,7 @@ Measurement withTurnOfLayers(const Sighting& sighting, const HitsAtOneTime& seen
         m.facesSeen.seesEnd() && !m.facesSeen.seesSide() && m.hiddenEnds.seesAcross(1);
     if (!isPiece || seen.hits->heights == 0) return m;
     const double sign = m.facesSeen.has(Face::Front) ? 1.0 : -1.0;
-    const Layers layers = layersOf(m.box, 0, sign, kBand, *seen.each);
+    const Layers layers = layersOf(m.box, 0, sign, kEndBand, *seen.each);
     const auto slope = slopeOf(layers);
     if (!slope) return m;
     const double turn = sign * turnTold(*slope, sighting.height);

@@ -11,14 +11,14 @@ namespace vdamf
 {
 namespace
 {
-constexpr FaceBand kBand{0.25F, 0.35F, 0.4F};
-constexpr double kMostTurn = 0.08;  // rad
-constexpr double kVague = 0.05;     // rad: of hits that may as well be on another face
-constexpr double kLeastRow = 2.0;   // m
+constexpr FaceBand kSideBand{0.25F, 0.35F, 0.4F};
+constexpr double kMostTurnOfSide = 0.08;  // rad
+constexpr double kVagueSide = 0.05;       // rad: of hits that may as well be on another face
+constexpr double kShortSide = 2.0;        // m
 
 // By which rows of one height each are turned against the measurement, as far as all hits together
 // are turned against them: else the measurement errs by something else. rad
-double turnTold(const LayerSlope& slope)
+double turnToldBySide(const LayerSlope& slope)
 {
     const double byRows = std::atan(slope.within);
     const double overAll = byRows - std::atan(slope.ofAll);
@@ -31,14 +31,14 @@ Measurement withTurnOfSideLayers(const Sighting& sighting, const HitsAtOneTime& 
 {
     Measurement m = sighting.measurement;
     const double error = std::sqrt(m.covariance(2, 2));
-    if (!m.facesSeen.seesSide() || seen.hits->heights == 0 || error > kVague ||
-        sighting.side.metres < kLeastRow)
+    if (!m.facesSeen.seesSide() || seen.hits->heights == 0 || error > kVagueSide ||
+        sighting.side.metres < kShortSide)
         return m;
     const double sign = m.facesSeen.has(Face::Left) ? 1.0 : -1.0;
-    const auto slope = slopeOf(layersOf(m.box, 1, sign, kBand, *seen.each));
+    const auto slope = slopeOf(layersOf(m.box, 1, sign, kSideBand, *seen.each));
     if (!slope || slope->sigma > error) return m;
-    const double turn = -sign * turnTold(*slope);
-    if (std::abs(turn) > kMostTurn) return m;
+    const double turn = -sign * turnToldBySide(*slope);
+    if (std::abs(turn) > kMostTurnOfSide) return m;
     const double near = toBoxFrame(m.box, sighting.sensor).x() > 0.0 ? 1.0 : -1.0;
     const Eigen::Vector2d corner =
         m.box.centre() + rotation(m.box.heading) *
