@@ -66,7 +66,11 @@ TEST(SharedClusters, ThatOfTwoThatPassHalfAMetreApart)
     const Cluster both = together(outline(rearAndSide(10.0, 0.0)), outline(rearAndSide(11.0, 2.3)));
     PredictedTarget turned = predictedCar(11.0, 1.93);
     turned.box.heading = 0.07;
+    turned.isCar = true;
     EXPECT_EQ(shared({predictedCar(10.0, 0.0), turned}, both).size(), 1U);
+    turned.isCar = false;
+    EXPECT_TRUE(shared({predictedCar(10.0, 0.0), turned}, both).empty()) << "no vehicle for sure";
+    turned.isCar = true;
     turned.box.y = 1.2;
     EXPECT_TRUE(shared({predictedCar(10.0, 0.0), turned}, both).empty()) << "one on the other";
 }

@@ -40,10 +40,13 @@ bool overlap(const OrientedBox& a, const OrientedBox& b)
     return !hasSeparatingAxis(a, b) && !hasSeparatingAxis(b, a);
 }
 
-// As two that pass each other closely may seem to, where their headings err by a few degrees.
-OrientedBox withSlack(OrientedBox box)
+// What a vehicle for sure passes closely it may seem to touch, where its heading errs by a few
+// degrees.
+OrientedBox coreOf(const PredictedTarget& target)
 {
-    constexpr double kSlack = 0.2;  // m, on each side
+    constexpr double kSlack = 0.3;  // m, on each side
+    OrientedBox box = target.box;
+    if (!target.isCar && !target.isDrivingTruck) return box;
     box.length = std::max(0.0, box.length - 2.0 * kSlack);
     box.width = std::max(0.0, box.width - 2.0 * kSlack);
     return box;
@@ -100,7 +103,7 @@ std::vector<std::size_t> targetsOn(const Hits& hits, const std::vector<std::size
         const bool shares =
             &fit == &*best ||
             (onlyOn(fit, *best, hits) >= least && onlyOn(*best, fit, hits) >= least &&
-             !overlap(withSlack(targets[fit.target].box), withSlack(targets[best->target].box)));
+             !overlap(coreOf(targets[fit.target]), coreOf(targets[best->target])));
         if (shares) sharing.push_back(fit.target);
     }
     return sharing;
