@@ -130,7 +130,7 @@ function factsOf(state, track) {
     ["Speed", `${track.speed[i].toFixed(2)} ± ${sigma(track.varSpeed[i])} m/s`],
     ["Heading", `${deg(track.heading[i])} ± ${deg(Math.sqrt(track.varHeading[i]))}`],
     ["Front as drawn", `${Math.round(100 * track.forward[i])} %`],
-    ["Length along the heading", `${Math.round(100 * track.axes[i])} %`],
+    ["Axes as drawn", `${Math.round(100 * track.axes[i])} %`],
     ["Length", `${track.length[i].toFixed(2)} ± ${sigma(track.varLength[i])} m`],
     ["Width", `${track.width[i].toFixed(2)} ± ${sigma(track.varWidth[i])} m`],
     ["Hits", track.hits[i]],
