@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "tracking/tracker/seen_as.h"
 #include "tracking/tracker/simulated_frames.h"
 
 namespace vdamf
@@ -36,10 +37,7 @@ HitsAtOneTime endWithWindows(double depth, double roof)
     addRowAcross(hits, 0.8, kCarEndAt + 0.1);
     addRowAcross(hits, 1.25, kCarEndAt + depth);
     addRowAcross(hits, roof, kCarEndAt + depth + 0.6);
-    HitsAtOneTime seen;
-    seen.hits = projectHits(hits, 0.0);
-    seen.each = std::move(hits);
-    return seen;
+    return seenAs(std::move(hits));
 }
 
 // As it is measured, with the end held for its rear.

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <utility>
 
+#include "tracking/tracker/seen_as.h"
+
 namespace vdamf
 {
 namespace
@@ -23,14 +25,6 @@ void addRow(Cluster& hits, double height, double x, double fromY, int count, dou
         hits.y.push_back(static_cast<float>(y));
         hits.height.push_back(static_cast<float>(height));
     }
-}
-
-HitsAtOneTime seenAs(Cluster hits)
-{
-    HitsAtOneTime seen;
-    seen.hits = projectHits(hits, 0.0);
-    seen.each = std::move(hits);
-    return seen;
 }
 
 // The rear of a truck behind what hides its right: its box shows to the left, to the right the

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "tracking/tracker/seen_as.h"
+
 namespace vdamf
 {
 namespace
@@ -26,14 +28,6 @@ void addSideRow(Cluster& hits, double height, double inset, double from, double 
     }
 }
 
-HitsAtOneTime sideSeenAs(Cluster hits)
-{
-    HitsAtOneTime seen;
-    seen.hits = projectHits(hits, 0.0);
-    seen.each = std::move(hits);
-    return seen;
-}
-
 // Of a van behind a low car: its far half shows above 1.5 m alone, where it is 0.12 m narrower.
 HitsAtOneTime behindALowCar(double turn)
 {
@@ -41,7 +35,7 @@ HitsAtOneTime behindALowCar(double turn)
     for (const double height : {0.5, 0.9, 1.3})
         addSideRow(hits, height, 0.0, kNearEnd, kNearEnd + 2.5, turn);
     for (const double height : {1.55, 1.7}) addSideRow(hits, height, 0.12, 14.0, 19.0, turn);
-    return sideSeenAs(std::move(hits));
+    return seenAs(std::move(hits));
 }
 
 // By which a line through all of those hits is turned: its far half inwards, to the right.
@@ -104,7 +98,7 @@ TEST(LayersOfSide, LeaveAloneWhatErrsByOtherThings)
     Cluster whole;
     for (const double height : {0.5, 0.9, 1.3, 1.7})
         addSideRow(whole, height, height > 1.5 ? 0.12 : 0.0, 14.0, 19.0, 0.0);
-    EXPECT_NEAR(headingBySide(sideMeasuredAt(-0.03), sideSeenAs(std::move(whole))), -0.03, 1e-3)
+    EXPECT_NEAR(headingBySide(sideMeasuredAt(-0.03), seenAs(std::move(whole))), -0.03, 1e-3)
         << "all heights show everywhere";
 }
 

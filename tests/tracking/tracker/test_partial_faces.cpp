@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "tracking/tracker/seen_as.h"
+
 namespace vdamf
 {
 namespace
@@ -42,10 +44,7 @@ HitsAtOneTime hitsOnRear(double lowest)
             hits.y.push_back(-0.9F + 0.2F * static_cast<float>(k));
             hits.height.push_back(static_cast<float>(lowest + 0.15 * row));
         }
-    HitsAtOneTime seen;
-    seen.hits = projectHits(hits, 0.0);
-    seen.each = std::move(hits);
-    return seen;
+    return seenAs(std::move(hits));
 }
 
 TEST(PartialFaces, APieceOfAnEndTellsLittleOfTheHeading)
@@ -216,23 +215,14 @@ HitsAtOneTime roofAndCorner(double lowestOfRear)
         hits.y.push_back(0.85F);
         hits.height.push_back(0.4F);
     }
-    HitsAtOneTime seen;
-    seen.hits = projectHits(hits, 0.0);
-    seen.each = std::move(hits);
-    return seen;
+    return seenAs(std::move(hits));
 }
 
 TEST(PartialFaces, FacesAreAsHighAsTheHitsOnThem)
 {
     const Measurement m = rearSeen(1.8).measurement;
     Cluster hits = *hitsOnRear(0.5).each;
-    const auto seenNow = [&]
-    {
-        HitsAtOneTime seen;
-        seen.hits = projectHits(hits, 0.0);
-        seen.each = hits;
-        return seen;
-    };
+    const auto seenNow = [&] { return seenAs(hits); };
     const auto height = [&] { return heightOfFaces(m, Eigen::Vector2d::Zero(), seenNow()); };
     EXPECT_NEAR(height(), 0.8, 1e-6);
     // A tree's, over its roof and beside it, and two higher ones that may be anything's.
