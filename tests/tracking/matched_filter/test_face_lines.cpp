@@ -192,6 +192,71 @@ TEST(MeasureTarget, AnUnseenLengthIsUnknown)
     EXPECT_LT(back.dot(m.covariance * back), 1e-3);
 }
 
+// Hits of kCar, in its own axes.
+class HitsOnCar
+{
+public:
+    void addRow(const Eigen::Vector2d& from, const Eigen::Vector2d& to, double height, int count)
+    {
+        for (int k = 0; k < count; ++k)
+        {
+            const Eigen::Vector2d place =
+                kCar.centre() + rotation(kCar.heading) * (from + (k + 0.5) / count * (to - from));
+            hits_.x.push_back(static_cast<float>(place.x()));
+            hits_.y.push_back(static_cast<float>(place.y()));
+            hits_.height.push_back(static_cast<float>(height));
+        }
+    }
+
+    Hits projected() const { return projectHits(hits_, 0.0); }
+
+private:
+    Cluster hits_;
+};
+
+// Of a car behind a lower one: its rear, its side as far as its wheel, and its windows.
+HitsOnCar behindALowerOne()
+{
+    HitsOnCar car;
+    for (const double height : {0.5, 0.7}) car.addRow({-2.25, -0.9}, {-2.25, 0.9}, height, 12);
+    for (const double height : {0.5, 0.7}) car.addRow({-2.25, 0.9}, {-1.4, 0.9}, height, 10);
+    return car;
+}
+
+double turnOf(const Hits& hits)
+{
+    const auto lines = fitFaceLines(hits, kCar, kSeen, kSensor, {});
+    EXPECT_TRUE(lines && lines->end.exists && lines->side.exists);
+    return lines ? lines->turn : 1.0;
+}
+
+TEST(FaceLines, WindowsThatLieFartherInsideDoNotTurnTheSideOfACar)
+{
+    HitsOnCar car = behindALowerOne();
+    car.addRow({-1.0, 0.7}, {1.5, 0.7}, 1.2, 25);
+    Hits hits = car.projected();
+    EXPECT_NEAR(turnOf(hits), 0.0, 0.5 * kDegree);
+    hits.height.clear();
+    EXPECT_GT(std::abs(turnOf(hits)), 2.0 * kDegree) << "of hits without heights they would";
+}
+
+TEST(FaceLines, WindowsAloneShowWhereTheSideLeads)
+{
+    HitsOnCar car;
+    car.addRow({-2.25, -0.9}, {-2.25, 0.9}, 0.6, 12);
+    car.addRow({-2.1, 0.9}, {-1.9, 0.9}, 0.6, 2);
+    car.addRow({-1.9, 0.9}, {1.5, 0.9}, 1.2, 35);
+    EXPECT_NEAR(turnOf(car.projected()), 0.0, 0.5 * kDegree);
+}
+
+TEST(FaceLines, TheRoofIsNoSide)
+{
+    HitsOnCar car = behindALowerOne();
+    const double without = turnOf(car.projected());
+    car.addRow({0.0, 0.65}, {1.0, 0.55}, 1.45, 12);
+    EXPECT_NEAR(turnOf(car.projected()), without, 1e-9);
+}
+
 TEST(Hits, MergedCentresKnowTheirScatter)
 {
     Cluster cluster;

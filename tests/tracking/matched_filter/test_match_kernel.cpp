@@ -36,7 +36,7 @@ Scale scaleOf(const Hits& hits, const FilterShape& shape, const OrientedBox& box
     Scale scale;
     for (std::size_t i = 0; i < hits.size(); ++i)
     {
-        const Hits one{{hits.x[i]}, {hits.y[i]}, {hits.weight[i]}, hits.weight[i], {}, {}, {}};
+        const Hits one{{hits.x[i]}, {hits.y[i]}, {hits.weight[i]}, hits.weight[i], {}, {}, {}, {}};
         const MatchResponse m = matchResponse(one, shape, box, phi);
         scale.value += std::abs(m.value);
         scale.gradient += m.gradient.norm();
@@ -143,7 +143,7 @@ TEST(MatchKernel, HitsFarAwayAddNothing)
         }
     }
     expectAgreement(hits, FilterShape::paper(), box, 2.0, 1e-5);
-    Hits all{{100.0, -100.0}, {0.0, 100.0}, {1.0, 5.0}, 6.0, {}, {}, {}};
+    Hits all{{100.0, -100.0}, {0.0, 100.0}, {1.0, 5.0}, 6.0, {}, {}, {}, {}};
     const KernelHits kernel = kernelHits(all, box.centre());
     for (const KernelPath path : kernelPaths())
     {

@@ -211,18 +211,22 @@ TEST(ProjectHits, MergesCellsAndDropsNonFinite)
     Cluster a;
     a.x = {0.01F, 0.03F, 5.0F, std::nanf("")};
     a.y = {0.02F, 0.04F, 1.0F, 0.0F};
-    a.z = a.height = {0.0F, 0.0F, 0.0F, 0.0F};
+    a.z = {0.0F, 0.0F, 0.0F, 0.0F};
+    a.height = {0.5F, 0.9F, 1.5F, 0.0F};
     const Hits merged = projectHits(a, 0.1);
     ASSERT_EQ(merged.size(), 2U);
     EXPECT_DOUBLE_EQ(merged.totalWeight, 3.0);
     EXPECT_DOUBLE_EQ(merged.weight[0], 2.0);
     EXPECT_NEAR(merged.x[0], 0.02, 1e-7);
     EXPECT_NEAR(merged.y[0], 0.03, 1e-7);
+    EXPECT_NEAR(merged.height[0], 0.7, 1e-6);
+    EXPECT_NEAR(merged.height[1], 1.5, 1e-6);
     EXPECT_EQ(projectHits(a, 0.0).size(), 3U);
     EXPECT_EQ(projectHits(Cluster{}, 0.1).size(), 0U);
     const Hits both = joined(merged, merged);
     EXPECT_EQ(both.size(), 4U);
     EXPECT_DOUBLE_EQ(both.totalWeight, 6.0);
+    EXPECT_NEAR(both.height[3], 1.5, 1e-6);
 }
 
 }  // namespace

@@ -177,6 +177,16 @@ TEST_F(Confirmation, WaitsLongerWhereFewHitsDoNotTellTheAxes)
     EXPECT_EQ(sightingsUntilConfirmed(track, options_.lifecycle), 33);
 }
 
+TEST_F(Confirmation, WaitsLongestWhereAxesAreMoreLikelyExchanged)
+{
+    Track track = standing();
+    HeadingCues across;
+    across.end = FaceExtent{3.4, 0.3};
+    track.front = HeadingBelief(across);
+    ASSERT_LT(track.front.axesProbability(), 0.5);
+    EXPECT_EQ(sightingsUntilConfirmed(track, options_.lifecycle), 33);
+}
+
 TEST_F(Confirmation, WaitsForMoreThanThePieceOfAVehicle)
 {
     Track piece = standing();

@@ -183,6 +183,8 @@ TEST(EndsInView, EdgesOfShadowsInsideOfWhatIsForetoldAreNoFaces)
     EXPECT_GT(left(car).covariance(1, 1), m.covariance(1, 1)) << "turned about the hits";
     m.box = {0.0, 0.02, 0.0, 4.5, 1.8};
     EXPECT_EQ(toString(left(car).facesSeen), "FL") << "where its side is";
+    EXPECT_NEAR(left(car).covariance(2, 2), m.covariance(2, 2) + 0.05 * 0.05, 1e-9)
+        << "if it is the side";
     m.box = {0.0, -0.3, 0.0, 4.5, 1.2};
     car.widthVariance = 1.0;
     EXPECT_EQ(toString(left(car).facesSeen), "FL") << "where its side is, is not known";

@@ -62,6 +62,15 @@ TEST(PartialFaces, APieceOfAnEndTellsLittleOfTheHeading)
     EXPECT_GT(varianceAt(m, 20.0, -0.9), varianceAt(piece.measurement, 20.0, -0.9) + 0.05);
 }
 
+TEST(PartialFaces, AnEndNarrowerThanCarsAreIsAPieceWhateverShowsPastIt)
+{
+    const Sighting narrow = rearSeen(1.2);
+    EXPECT_NEAR(std::sqrt(withTurnOfPieces(narrow).covariance(2, 2)), 0.12, 0.002);
+    Sighting trucks = narrow;
+    trucks.height = 3.0;
+    EXPECT_EQ(withTurnOfPieces(trucks).covariance, narrow.measurement.covariance);
+}
+
 TEST(PartialFaces, AWholeFaceTellsItAsMeasured)
 {
     const Sighting whole = rearSeen(1.8);

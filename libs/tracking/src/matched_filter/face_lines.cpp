@@ -21,11 +21,11 @@ constexpr double kSettled = 5e-4;
 // The prior of the scale, twice the sensor's noise, counts as so many hits.
 constexpr double kPriorHits = 4.0;
 
-// (turn, outwards place of the end, of the side).
+// (turn, outwards place of the end, of the side, of the upper side).
 struct Lines
 {
-    Eigen::Vector3d q = Eigen::Vector3d::Zero();
-    Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
+    Eigen::Vector4d q = Eigen::Vector4d::Zero();
+    Eigen::Matrix4d information = Eigen::Matrix4d::Zero();
     Eigen::Vector2d ofTurn = Eigen::Vector2d::Zero();  // what end and side tell of the turn
     double sigma = 0.0;
     LineWeights weights = kTowardsHull;
@@ -37,13 +37,13 @@ struct Lines
 bool reweigh(const NearFaces& faces, double rangeNoise, Lines& lines)
 {
     // The weak hold of the heading keeps a short row of hits from turning freely.
-    Eigen::Matrix3d information = Eigen::Vector3d(1e-3, 1e-9, 1e-9).asDiagonal();
-    Eigen::Vector3d pull = Eigen::Vector3d::Zero();
+    Eigen::Matrix4d information = Eigen::Vector4d(1e-3, 1e-9, 1e-9, 1e-9).asDiagonal();
+    Eigen::Vector4d pull = Eigen::Vector4d::Zero();
     lines.ofTurn.setZero();
     double squares = kPriorHits * 4.0 * rangeNoise * rangeNoise;
     double count = kPriorHits;
     double parameters = 1.0;
-    for (int k = 0; k < 2; ++k)
+    for (int k = 0; k < static_cast<int>(faces.size()); ++k)
     {
         const NearFace& face = faces[static_cast<std::size_t>(k)];
         if (face.hits.empty())
@@ -56,13 +56,14 @@ bool reweigh(const NearFaces& faces, double rangeNoise, Lines& lines)
         information(0, 0) += sums.waa;
         information(0, 1 + k) = information(1 + k, 0) = -sums.wa;
         information(1 + k, 1 + k) += sums.w;
-        if (sums.w > 0.0) lines.ofTurn(k) = sums.waa - sums.wa * sums.wa / sums.w;
+        const int ofFace = std::min(k, static_cast<int>(kSideFace));  // upper sides are sides
+        if (sums.w > 0.0) lines.ofTurn(ofFace) += sums.waa - sums.wa * sums.wa / sums.w;
         pull(0) -= sums.war;
         pull(1 + k) += sums.wr;
         squares += sums.squares;
         count += sums.count;
     }
-    const Eigen::Vector3d step = Cholesky<3>(information).solve(pull);
+    const Eigen::Vector4d step = Cholesky<4>(information).solve(pull);
     lines.q += step;
     lines.information = information;
     // For Gaussian residuals the weights keep this share of the variance.
@@ -128,7 +129,7 @@ std::optional<FaceLines> fitFaceLines(const Hits& hits, const OrientedBox& box, 
                                 {o.gate, o.corner, isTold ? o.rangeNoise : 1.0, o.minHits});
     if (faces[0].hits.empty() && faces[1].hits.empty()) return std::nullopt;
     Lines lines;
-    lines.q = {0.0, 0.5 * box.length, 0.5 * box.width};
+    lines.q = {0.0, 0.5 * box.length, 0.5 * box.width, 0.5 * box.width};
     lines.sigma = o.sigma;
     for (int i = 0; i < o.iterations && reweigh(faces, rangeNoise, lines);) ++i;
     if (!o.toHull) return throughHits(faces, lines);
@@ -150,8 +151,9 @@ std::optional<FaceLines> fitFaceLines(const Hits& hits, const OrientedBox& box, 
     result.arePlanes = isPlane;
     if (!isPlane && !faces[1].hits.empty())
         result.turn += turnOfSide(lines, box, sensor, o.hull.sideTurn * o.bodyDepth);
+    const Eigen::Matrix4d inverse = lines.information.inverse();
     result.covariance =
-        lines.weights.efficiency * lines.sigma * lines.sigma * lines.information.inverse();
+        lines.weights.efficiency * lines.sigma * lines.sigma * inverse.topLeftCorner<3, 3>();
     for (int k = 0; k < 2; ++k)
     {
         const NearFace& face = faces[static_cast<std::size_t>(k)];

@@ -181,6 +181,11 @@ private:
     std::vector<Slot> slots_;
 };
 
+float heightAt(const Cluster& cluster, std::size_t i)
+{
+    return cluster.height.empty() ? 0.0F : cluster.height[i];
+}
+
 // By their first hits.
 template <class Finder>
 std::vector<HitCell> cellsOf(const Cluster& cluster, Finder&& finder, std::size_t expected)
@@ -194,7 +199,7 @@ std::vector<HitCell> cellsOf(const Cluster& cluster, Finder&& finder, std::size_
         if (!isUsable(x, y)) continue;
         const std::size_t cell = finder.find(x, y, cells.size());
         if (cell == cells.size()) cells.push_back({x, y});
-        cells[cell].add(x, y);
+        cells[cell].add(x, y, heightAt(cluster, i));
     }
     return cells;
 }
@@ -215,7 +220,7 @@ std::vector<HitCell> cellsIn(const Cluster& cluster, CellTable table, std::size_
             if (place[i] < 0) continue;
             const std::size_t cell = table.cellAt(place[i], cells.size());
             if (cell == cells.size()) cells.push_back({x[i], y[i]});
-            cells[cell].add(x[i], y[i]);
+            cells[cell].add(x[i], y[i], heightAt(cluster, begin + i));
         }
     }
     return cells;

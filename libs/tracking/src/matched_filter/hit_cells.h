@@ -14,12 +14,14 @@ struct HitCell
 {
     float x, y;  // the first hit
     float n = 0.0F, sx = 0.0F, sy = 0.0F, sxx = 0.0F, sxy = 0.0F, syy = 0.0F;
+    float heights = 0.0F;  // sum
 
-    void add(float px, float py)
+    void add(float px, float py, float height)
     {
         const float dx = px - x;
         const float dy = py - y;
         n += 1.0F;
+        heights += height;
         sx += dx;
         sy += dy;
         sxx += dx * dx;

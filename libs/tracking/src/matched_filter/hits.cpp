@@ -39,8 +39,8 @@ Hits projectHits(const Cluster& cluster, double cellSize)
     if (!cluster.time.empty())
         hits.time = std::accumulate(cluster.time.begin(), cluster.time.end(), 0.0) /
                     static_cast<double>(cluster.time.size());
-    for (auto* column :
-         {&hits.x, &hits.y, &hits.weight, &hits.varianceX, &hits.covariance, &hits.varianceY})
+    for (auto* column : {&hits.x, &hits.y, &hits.weight, &hits.varianceX, &hits.covariance,
+                         &hits.varianceY, &hits.height})
         column->resize(cells.size());
     for (std::size_t i = 0; i < cells.size(); ++i)
     {
@@ -52,6 +52,7 @@ Hits projectHits(const Cluster& cluster, double cellSize)
         hits.x[i] = cell.x + x;
         hits.y[i] = cell.y + y;
         hits.weight[i] = n;
+        hits.height[i] = share * cell.heights;
         hits.totalWeight += n;
         // Of hits in one place rounding may leave less than nothing.
         hits.varianceX[i] = std::max(0.0, share * cell.sxx - x * x);
@@ -80,6 +81,7 @@ Hits joined(const Hits& a, const Hits& b)
     append(all.varianceX, b.varianceX);
     append(all.covariance, b.covariance);
     append(all.varianceY, b.varianceY);
+    append(all.height, b.height);
     return all;
 }
 

@@ -5,12 +5,18 @@
 #include <cmath>
 #include <cstdint>
 
+#include "matched_filter/body_profile.h"
 #include "types/wide_lanes.h"
 
 namespace vdamf
 {
 namespace
 {
+// Of cars, m above the ground: windows recede from there on,
+constexpr double kBelt = 1.05;
+// and roofs begin.
+constexpr double kRoof = 1.38;
+
 // Where some of the hits lie in the axes of the box, and on which of the faces.
 struct Located
 {
@@ -66,14 +72,19 @@ NearFaces nearFaces(const Hits& hits, const OrientedBox& box, FaceSet seen,
     const double signY = seen.has(Face::Left) ? 1.0 : -1.0;
     const Eigen::Vector2d view = toBoxFrame(box, sensor).normalized();
     NearFaces faces;
-    faces[0].sign = faces[0].slope = signX;
-    faces[1].sign = signY;
-    faces[1].slope = -signY;
-    faces[0].noise = o.rangeNoise * std::abs(view.x());
-    faces[1].noise = o.rangeNoise * std::abs(view.y());
+    NearFace& end = faces[kEndFace];
+    NearFace& side = faces[kSideFace];
+    NearFace& upper = faces[kUpperSide];
+    end.sign = end.slope = signX;
+    side.sign = signY;
+    side.slope = -signY;
+    end.noise = o.rangeNoise * std::abs(view.x());
+    side.noise = o.rangeNoise * std::abs(view.y());
+    upper = side;
+    const bool hasBelt = areOfCar(hits.heights) && !hits.height.empty();
     const std::size_t blocks = hits.size() / FaceHits::Block::kHits + 1;
-    if (seen.seesEnd()) faces[0].hits.blocks.reserve(blocks);
-    if (seen.seesSide()) faces[1].hits.blocks.reserve(blocks);
+    if (seen.seesEnd()) end.hits.blocks.reserve(blocks);
+    if (seen.seesSide()) side.hits.blocks.reserve(blocks);
     Located located;
     for (std::size_t begin = 0; begin < hits.size(); begin += Located::kMost)
     {
@@ -84,13 +95,21 @@ NearFaces nearFaces(const Hits& hits, const OrientedBox& box, FaceSet seen,
             if (located.face[i] == Located::kNowhere) continue;
             const bool onEnd = located.face[i] == 0;
             const double weight = hits.weight[begin + i];
-            NearFace& face = faces[onEnd ? 0 : 1];
+            const double height = hasBelt && !onEnd ? hits.height[begin + i] : 0.0;
+            if (height > kRoof) continue;
+            NearFace& face = onEnd ? end : (height > kBelt ? upper : side);
             face.hits.add(
                 onEnd ? signX * located.x[i] : signY * located.y[i],
                 onEnd ? located.y[i] : located.x[i], weight,
                 onEnd ? hits.varianceAlong(begin + i, c, s) : hits.varianceAlong(begin + i, -s, c));
             face.weight += weight;
         }
+    }
+    if (std::min(side.weight, upper.weight) < o.minHits)
+    {
+        side.hits.add(upper.hits);
+        side.weight += upper.weight;
+        upper.hits = FaceHits();
     }
     for (NearFace& face : faces)
         if (face.weight < o.minHits) face.hits = FaceHits();

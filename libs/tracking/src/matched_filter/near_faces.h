@@ -41,10 +41,18 @@ struct FaceHits
         block.spread[k] = static_cast<float>(spread);
     }
 
+    void add(const FaceHits& others)
+    {
+        for (const Block& block : others.blocks)
+            for (std::size_t k = 0; k < Block::kHits; ++k)
+                if (block.weight[k] > 0.0F)
+                    add(block.outwards[k], block.along[k], block.weight[k], block.spread[k]);
+    }
+
     bool empty() const { return blocks.empty(); }
 };
 
-/// One of the two faces towards the sensor.
+/// One of the two faces towards the sensor, or a part of it.
 struct NearFace
 {
     FaceHits hits;
@@ -63,9 +71,15 @@ struct NearFaceOptions
     double minHits = 4.0;     ///< fewer are none
 };
 
-using NearFaces = std::array<NearFace, 2>;  // end, side
+/// The end and the side; and of cars what of the side is above the belt, where it lies farther
+/// inside: it shows the same direction.
+using NearFaces = std::array<NearFace, 3>;
+inline constexpr std::size_t kEndFace = 0;
+inline constexpr std::size_t kSideFace = 1;
+inline constexpr std::size_t kUpperSide = 2;
 
-/// Of the faces `seen` of a box; a hit near both is on neither.
+/// Of the faces `seen` of a box; a hit near both is on neither, and one on the roof of a car is not
+/// on its side. Where the side has few hits above its belt, or below it, they are together.
 NearFaces nearFaces(const Hits& hits, const OrientedBox& box, FaceSet seen,
                     const Eigen::Vector2d& sensor, const NearFaceOptions& options);
 

@@ -24,10 +24,10 @@ double estimatedRangeNoise(const NearFaces& faces, const LineState& end, const L
     double weight = kUsualHits;
     double outside = 0.0;
     double inside = 0.0;
-    for (std::size_t k = 0; k < faces.size(); ++k)
+    for (const std::size_t k : {kEndFace, kSideFace})
     {
         const NearFace& face = faces[k];
-        const LineState& line = k == 0 ? end : side;
+        const LineState& line = k == kEndFace ? end : side;
         if (face.hits.empty()) continue;
         const Departure d = departureOf(face, line);
         const double along = face.noise * face.noise;

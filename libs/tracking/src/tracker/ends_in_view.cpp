@@ -135,13 +135,15 @@ Measurement withoutShadowEdges(const Measurement& measurement, const VehicleStat
 {
     constexpr double kInside = 0.1;  // m
     constexpr double kSigmas = 2.0;
-    constexpr double kTurn = 0.15;  // rad, by hits along them
+    constexpr double kTurn = 0.15;     // rad, by hits along them
+    constexpr double kMayTurn = 0.05;  // rad: even where it seems to be the side
     Measurement m = measurement;
     for (int axis = 0; axis < 2; ++axis)
         for (int end = 0; end < 2; ++end)
         {
             const Face face = kFaceAt[axis][end];
             if (!m.shadowEdges.has(face)) continue;
+            if (axis == 1) m = withTurn(m, kMayTurn, hits);
             const Inside inside = insideOf(foretold, m.box, axis, end, hits);
             if (inside.metres < std::max(kInside, kSigmas * inside.sigma)) continue;
             m.facesSeen.remove(face);

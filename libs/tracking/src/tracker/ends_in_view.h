@@ -17,8 +17,8 @@ namespace vdamf
 Measurement withEndsOutOfView(const Sighting& sighting, const SegmentedFrame& frame);
 
 /// With those of the edges of shadows hidden that lie inside of the box foretold, by more than its
-/// faces may err: they are no faces of it, and a line along them is turned. `hits`: their middle,
-/// m.
+/// faces may err: they are no faces of it, and a line along them is turned. Where what may be a
+/// shadow's edge may as well be the side, it tells less of the heading. `hits`: their middle, m.
 Measurement withoutShadowEdges(const Measurement& measurement, const VehicleState& foretold,
                                const Eigen::Vector2d& hits);
 

@@ -78,8 +78,11 @@ int patienceWith(const Track& track, const LifecycleOptions& options)
     constexpr int kForSpeed = 4;
     constexpr int kForAxes = 10;
     constexpr int kForMoreHits = 30;
-    const bool mayBeAcross = track.front.axesProbability() < options.confirmAxes;
-    if (isPiece(track) || (mayBeAcross && isHardlySeen(track))) return kForMoreHits;
+    constexpr double kAsLikely = 0.5;  // probability
+    const double axes = track.front.axesProbability();
+    const bool mayBeAcross = axes < options.confirmAxes;
+    if (isPiece(track) || axes < kAsLikely || (mayBeAcross && isHardlySeen(track)))
+        return kForMoreHits;
     if (mayBeAcross) return kForAxes;
     return isSpeedVague(track, options) ? kForSpeed : 0;
 }

@@ -17,9 +17,11 @@ namespace vdamf
 {
 namespace
 {
-constexpr double kDepth = 0.1;        // m, by which a piece of a body departs from a plane
-constexpr double kBow = 0.25;         // m, the same of bumpers
-constexpr double kLeastRow = 0.3;     // m
+constexpr double kDepth = 0.1;     // m, by which a piece of a body departs from a plane
+constexpr double kBow = 0.25;      // m, the same of bumpers
+constexpr double kLeastRow = 0.3;  // m
+constexpr double kShortEnd = 1.4;  // m: hardly a car is as narrow
+constexpr double kSlopeOfShortEnd = 0.12;
 constexpr double kLongRow = 0.9;      // m
 constexpr double kBumper = 0.65;      // m above ground
 constexpr double kRecess = 1.0;       // m behind the end per m above the bumper,
@@ -156,9 +158,15 @@ Measurement withTurnOfPieces(const Sighting& sighting)
     for (const int axis : {0, 1})
     {
         if (!m.facesSeen.seesAlong(axis)) continue;
-        // It is a piece where something hides the rest.
-        if (!m.hiddenEnds.seesAcross(axis)) return m;
         const double metres = axis == 0 ? sighting.side.metres : sighting.end.metres;
+        // It is a piece where something hides the rest, or where hardly a car is as narrow.
+        const bool isShort = axis == 1 && metres < kShortEnd && sighting.height < kLowVehicle;
+        if (!m.hiddenEnds.seesAcross(axis))
+        {
+            if (!isShort) return m;
+            slope = std::min(slope, kSlopeOfShortEnd);
+            continue;
+        }
         const bool isBow = axis == 1 && sighting.height < kTruckHeight;
         if (metres > 0.0)
             slope = std::min(slope, (isBow ? kBow : kDepth) / std::max(metres, kLeastRow));

@@ -27,7 +27,8 @@ Measurement withinRowOfSide(const Sighting& sighting, const SegmentedFrame& fram
 
 /// The measurement of a sighting with the heading as uncertain as pieces of faces leave it: bodies
 /// are round, so that the shorter the row of hits, the more the line through it may be turned.
-/// Where a face shows from end to end, both halves of it turn the line alike.
+/// Where a face shows from end to end, both halves of it turn the line alike; a row of an end that
+/// is shorter than cars are wide (1.4 m) is a piece of it, whatever the view past it shows.
 Measurement withTurnOfPieces(const Sighting& sighting);
 
 /// The same with the heading as uncertain as parts hit a revolution apart leave it.

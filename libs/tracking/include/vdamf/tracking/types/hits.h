@@ -20,6 +20,7 @@ struct Hits
     /// Of the hits of each centre about it, m^2: by x, by both, by y. Empty: every centre is one
     /// hit.
     std::vector<double> varianceX, covariance, varianceY;
+    std::vector<double> height;  ///< of each centre's hits above the ground, mean, m; or empty
     /// Bit k: there are hits from k to k + 1 tenths of a metre above the ground. 0: unknown.
     std::uint64_t heights = 0;
     double time = 0.0;  ///< mean, s after the frame's; 0 where hits have no times
