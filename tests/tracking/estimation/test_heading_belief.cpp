@@ -238,6 +238,18 @@ TEST(HeadingBelief, WeakEvidenceDoesNotGrowStrongByRepetition)
     EXPECT_DOUBLE_EQ(afterFrames(some, vague, 1000).axesProbability(), some.axesProbability());
 }
 
+TEST(HeadingBelief, CountsTheFramesThatLeaveItMoreLikelyAcross)
+{
+    HeadingCues across;
+    across.neighbours = -1.5;
+    const HeadingBelief belief = afterFrames(HeadingBelief(), across, 12);
+    ASSERT_EQ(belief.turnDue(kDecisive), 0) << "likely, but not decisive";
+    EXPECT_EQ(belief.acrossFor(), 12);
+    EXPECT_EQ(belief.turned(2).acrossFor(), 12);
+    EXPECT_EQ(belief.turned(1).acrossFor(), 0);
+    EXPECT_EQ(belief.after(seen(4.3, {})).acrossFor(), 0);
+}
+
 TEST(HeadingBelief, PartsOfFacesGiveWayToTheVehiclesAround)
 {
     // A metre of a side between parked cars, held for an end.

@@ -141,6 +141,7 @@ HeadingBelief HeadingBelief::after(const HeadingCues& cues) const
     }
     const double best = *std::max_element(next.course_.begin(), next.course_.end());
     for (double& log : next.course_) log = std::max(log - best, -kCertain);
+    next.acrossFor_ = next.axesProbability() < 0.5 ? acrossFor_ + 1 : 0;
     return next;
 }
 
@@ -179,6 +180,7 @@ HeadingBelief HeadingBelief::turned(int quarters) const
     next.neighbours_ = sign * neighbours_;
     if (quarters % 2 == 0)
     {
+        next.acrossFor_ = acrossFor_;
         const double front = quarters % 4 == 0 ? 1.0 : -1.0;
         next.shape_ = front * shape_;
         next.inLine_ = front * inLine_;

@@ -17,12 +17,13 @@ namespace
 constexpr double kCourseDistance = 1.5;  // m: beyond what measurement noise could feign
 constexpr double kCourseSpeed = 0.5;     // m/s
 constexpr double kLeastShare = 0.5;      // of the mean speed, in each half of a steady course
-// Log odds from which on length and width are exchanged, of young tracks and of others, and front
-// and rear, but where the shape of young ones tells them.
+// Log odds from which on length and width are exchanged, of young tracks (and for what lasts) and
+// of others, and front and rear, but where the shape of young ones tells them.
 constexpr double kLikely = 0.5;
 constexpr double kDecisive = 3.0;
 constexpr double kLikelyFront = 2.5;
-constexpr int kYoung = 10;  // sightings
+constexpr int kYoung = 10;    // sightings
+constexpr int kLasting = 10;  // of them
 
 // Straight displacement over some of the path.
 struct Course
@@ -235,7 +236,8 @@ Track reversed(const Track& track, const MotionOptions& motion)
 int dueTurn(const Track& track)
 {
     const bool isNew = track.sightings < kYoung;
-    const int quarters = track.front.turnDue(isNew ? kLikely : kDecisive);
+    const bool isLikelyEnough = isNew || track.front.acrossFor() >= kLasting;
+    const int quarters = track.front.turnDue(isLikelyEnough ? kLikely : kDecisive);
     if (quarters % 2 == 1) return quarters;
     const bool isShown = isNew && track.front.forwardProbabilityByShape() < 0.5;
     return track.front.turnDue(isShown ? kLikely : kLikelyFront) == 2 ? 2 : 0;

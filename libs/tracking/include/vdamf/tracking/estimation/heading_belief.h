@@ -65,6 +65,8 @@ public:
     double axesProbability() const;
     /// The same by what the vehicle itself showed, without its neighbours.
     double ownAxesProbability() const;
+    /// Frames in a row that left length and width more likely exchanged than not.
+    int acrossFor() const { return acrossFor_; }
     /// That the heading points to the front, by the way it moved alone.
     double forwardProbabilityByCourse() const;
     double forwardProbabilityByShape() const;
@@ -94,6 +96,7 @@ private:
     double neighbours_ = 0.0;
     /// Log odds of the front held, by the vehicles in line with it in the last frame.
     double inLine_ = 0.0;
+    int acrossFor_ = 0;
 };
 
 }  // namespace vdamf
