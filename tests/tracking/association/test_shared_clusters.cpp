@@ -75,6 +75,23 @@ TEST(SharedClusters, ThatOfTwoThatPassHalfAMetreApart)
     EXPECT_TRUE(shared({predictedCar(10.0, 0.0), turned}, both).empty()) << "one on the other";
 }
 
+TEST(SharedClusters, ThatOfACarBehindOneOfTwentyTimesItsHits)
+{
+    const Cluster both =
+        together(outline(rearAndSide(5.0, 0.0), 400), outline(rearAndSide(9.8, 0.0), 20));
+    PredictedTarget behind = predictedCar(9.8, 0.0);
+    behind.isCar = true;
+    EXPECT_TRUE(shared({predictedCar(5.0, 0.0), behind}, both).empty())
+        << "seen with who knows what";
+    behind.hits = 40.0;
+    EXPECT_EQ(shared({predictedCar(5.0, 0.0), behind}, both).size(), 1U);
+    behind.isCar = false;
+    EXPECT_TRUE(shared({predictedCar(5.0, 0.0), behind}, both).empty()) << "no vehicle for sure";
+    behind.isCar = true;
+    behind.hits = 400.0;
+    EXPECT_TRUE(shared({predictedCar(5.0, 0.0), behind}, both).empty()) << "it had far more hits";
+}
+
 TEST(SharedClusters, NotThatOfOneCarBesideAnother)
 {
     const Cluster one = outline(rearAndSide(10.0, 0.0));

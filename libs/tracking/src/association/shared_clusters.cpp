@@ -13,7 +13,8 @@ namespace
 {
 constexpr double kSureOfSharing = 0.7;  // m; vaguer targets do not tell where to cut
 constexpr double kLeastHitsOfSharer = 5.0;
-constexpr double kLeastShareOfHits = 0.1;  // of a cluster's hits
+constexpr double kLeastShareOfHits = 0.1;    // of a cluster's hits
+constexpr double kLeastShareOfBefore = 0.5;  // of those that a vehicle had before
 // Squared distances in standard deviations: of hits that are on a target's surface, and of those
 // that are not. Wide gates would not do: the side of a car that drives close to another's is inside
 // both.
@@ -78,11 +79,22 @@ double onlyOn(const HitsOfTarget& one, const HitsOfTarget& other, const Hits& hi
     return weight;
 }
 
+// Weight of the hits that a sharing target has to itself at least. What is surely a vehicle may be
+// behind another one that has a hundred times as many.
+double leastHits(const PredictedTarget& target, const Hits& cluster)
+{
+    double least = kLeastShareOfHits * cluster.totalWeight;
+    if ((target.isCar || target.isDrivingTruck) && target.hits > 0.0)
+        least = std::min(least, kLeastShareOfBefore * target.hits);
+    return std::max(kLeastHitsOfSharer, least);
+}
+
 std::vector<std::size_t> targetsOn(const Hits& hits, const std::vector<std::size_t>& inReach,
                                    const std::vector<PredictedTarget>& targets,
                                    const CandidateFinder& finder)
 {
-    const double least = std::max(kLeastHitsOfSharer, kLeastShareOfHits * hits.totalWeight);
+    double fewest = hits.totalWeight;
+    for (const std::size_t j : inReach) fewest = std::min(fewest, leastHits(targets[j], hits));
     std::vector<HitsOfTarget> fits;
     for (const std::size_t j : inReach)
     {
@@ -90,7 +102,7 @@ std::vector<std::size_t> targetsOn(const Hits& hits, const std::vector<std::size
         const TargetSurface surface = finder.surfaceOf(j, hits);
         const double off = surface.weightBeyond(kOff, hits);
         // As for most clusters: nothing is left for another target.
-        if (off < least) return {};
+        if (off < fewest) return {};
         fits.push_back(hitsOfTarget(hits, j, surface, off));
     }
     if (fits.size() < 2) return {};
@@ -100,10 +112,10 @@ std::vector<std::size_t> targetsOn(const Hits& hits, const std::vector<std::size
     std::vector<std::size_t> sharing;
     for (const HitsOfTarget& fit : fits)
     {
-        const bool shares =
-            &fit == &*best ||
-            (onlyOn(fit, *best, hits) >= least && onlyOn(*best, fit, hits) >= least &&
-             !overlap(coreOf(targets[fit.target]), coreOf(targets[best->target])));
+        const bool shares = &fit == &*best ||
+                            (onlyOn(fit, *best, hits) >= leastHits(targets[fit.target], hits) &&
+                             onlyOn(*best, fit, hits) >= leastHits(targets[best->target], hits) &&
+                             !overlap(coreOf(targets[fit.target]), coreOf(targets[best->target])));
         if (shares) sharing.push_back(fit.target);
     }
     return sharing;

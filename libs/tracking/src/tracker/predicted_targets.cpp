@@ -33,6 +33,7 @@ std::vector<PredictedTarget> predictedTargets(const std::vector<Track>& tracks,
                                 track.told.width && track.box().width < kWidestTruck &&
                                 track.stoodProbability < kMayStand;
         target.isClutter = probability < 1.0 - kSurelyAVehicle;
+        target.hits = track.lastHits;
         all.push_back(target);
     }
     return all;

@@ -73,6 +73,7 @@ Track predictedTrack(Track track, double dt, const Eigen::Vector2d& sensor,
     track.seenFrom = sensor;
     if (track.misses > 0) *track.hypotheses = unseen(*track.hypotheses, dt);
     track.state = track.hypotheses->combined(options);
+    if (track.hits > 0) track.lastHits = track.hits;
     track.hits = 0;
     track.measurement.reset();
     track.nis.reset();

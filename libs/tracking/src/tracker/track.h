@@ -67,6 +67,7 @@ struct Track
     int startedAt = 1;       ///< sighting at which its state was started, or started anew
     int surprisedAt = 0;     ///< last sighting that was far from what was foretold
     int misses = 0;          ///< frames since the last sighting
+    int lastHits = 0;        ///< in the last frame before this one that had some
     double existence = 0.5;  ///< probability that there is an object
     double lastSeen = 0.0;   ///< s
     double lastMatch = 0.0;  ///< response per hit of the last sighting, 1/m

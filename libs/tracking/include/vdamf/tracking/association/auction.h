@@ -54,6 +54,7 @@ struct PredictedTarget
     /// Surely a truck or bus that drives: what lies beside it is something else.
     bool isDrivingTruck = false;
     bool isClutter = false;  ///< surely, and no vehicle
+    double hits = 0.0;       ///< with which it was seen last; 0: not known
 };
 
 /// For each target the indices of its clusters, rising; a cluster goes to one target at most.
