@@ -165,6 +165,24 @@ TEST(Existence, TracksLastAsLongHoweverFastFramesFollow)
     EXPECT_NEAR(lasts(0.2), 2.0 * lasts(0.1), 1e-9);
 }
 
+TEST(Existence, VehiclesOfFewHitsAreMissedForLonger)
+{
+    const RangeProfile open = profileWith(0.0, kFar);
+    const auto lastsFor = [&](double probability, int hits)
+    {
+        Track track = trackAhead(0.1);
+        track.judgement.probability = probability;
+        track.lastHits = hits;
+        for (int k = 1; track.status != TrackStatus::Ended && k < 100; ++k)
+            track = withMiss(track, {0.1 * k, {0.0, 0.0}, open, FieldOfView(groundAround())},
+                             Unseen(), {});
+        return track.misses;
+    };
+    EXPECT_EQ(lastsFor(0.95, 2000), lastsFor(0.5, 2000));
+    EXPECT_GT(lastsFor(0.95, 12), lastsFor(0.95, 200) + 2);
+    EXPECT_EQ(lastsFor(0.5, 12), lastsFor(0.5, 200)) << "no vehicle for sure";
+}
+
 TEST(Existence, FewHitsTellThatItIsThere)
 {
     const RangeProfile open = profileWith(0.0, kFar);

@@ -56,6 +56,16 @@ bool isPiece(const Track& track)
            track.box().length < kShortestCar;
 }
 
+// In full view. A vehicle of few hits may have none for some frames: rays pass over it, through its
+// windows, and so low that they seem to be on the ground.
+double hitProbability(const Track& track, const LifecycleOptions& options)
+{
+    constexpr double kFew = 5.0;     // hits, with which it is half as likely to have some
+    constexpr double kSurely = 0.9;  // probability of a vehicle
+    if (track.judgement.probability < kSurely) return options.hitProbability;
+    return options.hitProbability * track.lastHits / (track.lastHits + kFew);
+}
+
 // Whether the speed is not known yet, nor which way what may be moving drives.
 bool isSpeedVague(const Track& track, const LifecycleOptions& options)
 {
@@ -169,7 +179,7 @@ Track withMiss(Track track, const OpenView& view, const Unseen& unseen,
     const bool isWaitedFor = unseen.mayBeVehicle && track.status != TrackStatus::Tentative;
     double inView = 1.0;
     if (isWaitedFor) inView = unseen.showsHits ? 0.0 : shareSeenThrough(track, view);
-    const double missed = 1.0 - options.hitProbability * inView;
+    const double missed = 1.0 - hitProbability(track, options) * inView;
     // Frames that follow each other fast see the same.
     constexpr double kNews = 0.1;  // s
     track.existence = probabilityOf(oddsOf(track.existence) *
