@@ -13,6 +13,7 @@
 #include "tracker/front_by_shape.h"
 #include "tracker/layers_of_end.h"
 #include "tracker/layers_of_side.h"
+#include "tracker/near_end.h"
 #include "tracker/partial_faces.h"
 #include "types/hit_bounds.h"
 #include "types/lanes.h"
@@ -226,6 +227,7 @@ Sighting sightingOf(const SegmentedFrame& frame, const std::vector<std::size_t>&
     s.around = rectangleAround(*seen.hits, m.box.heading);
     s.end = rowAlongFace(*seen.hits, m.box, sensor, 0);
     s.side = rowAlongFace(*seen.hits, m.box, sensor, 1);
+    m = withNearEndOfRow(s);
     m = withinRowOfSide(s, frame);
     if (seen.goesOn) m = goingOnTowards(m, *seen.goesOn);
 
