@@ -6,7 +6,6 @@
 
 #include "association/vehicle_surface.h"
 #include "types/append_hit.h"
-#include "types/cluster_bounds.h"
 
 namespace vdamf
 {
@@ -51,13 +50,6 @@ VehicleSurface surfaceOf(PredictedTarget vehicle, const Eigen::Vector2d& sensor,
     return {vehicle, sensor, options};
 }
 
-PlaneBounds planeBoundsOf(const Cluster& cluster)
-{
-    const ClusterBounds b = boundsOf(cluster);
-    return {Eigen::Vector2f(b.minX, b.minY).cast<double>(),
-            Eigen::Vector2f(b.maxX, b.maxY).cast<double>()};
-}
-
 // Whose the hits of a cluster are: of the first vehicle that has them, or of none.
 struct Shares
 {
@@ -95,7 +87,7 @@ std::optional<CutCluster> KnownVehicles::cut(const Cluster& cluster,
 {
     if (cluster.size() < 2 * kLeastHits || vehicles_.empty()) return std::nullopt;
     std::vector<VehicleSurface> outgrown;
-    for (const std::size_t k : index_.overlapping(planeBoundsOf(cluster)))
+    for (const std::size_t k : index_.overlapping(PlaneBounds::around(cluster)))
     {
         const VehicleSurface surface = surfaceOf(vehicles_[k], sensor, options_);
         if (surface.isOutgrownBy(cluster)) outgrown.push_back(surface);

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "types/cluster_bounds.h"
+
 namespace vdamf
 {
 namespace
@@ -29,6 +31,13 @@ PlaneBounds boundsOfAll(const std::vector<PlaneBounds>& items)
     return all;
 }
 }  // namespace
+
+PlaneBounds PlaneBounds::around(const Cluster& cluster)
+{
+    const ClusterBounds b = boundsOf(cluster);
+    return {Eigen::Vector2f(b.minX, b.minY).cast<double>(),
+            Eigen::Vector2f(b.maxX, b.maxY).cast<double>()};
+}
 
 PlaneIndex::PlaneIndex(std::vector<PlaneBounds> items) : items_(std::move(items))
 {

@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "vdamf/tracking/types/cluster.h"
+
 namespace vdamf
 {
 /// A rectangle along the axes, m.
@@ -19,6 +21,7 @@ struct PlaneBounds
     {
         return {centre.array() - reach, centre.array() + reach};
     }
+    static PlaneBounds around(const Cluster& cluster);
     bool overlaps(const PlaneBounds& other) const
     {
         return (min.array() <= other.max.array()).all() && (other.min.array() <= max.array()).all();

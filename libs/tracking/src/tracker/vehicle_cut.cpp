@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "association/outgrown_clusters.h"
+#include "association/plane_index.h"
 #include "preprocessing/convex_pieces.h"
 #include "tracker/vehicles_among.h"
 #include "types/cluster_bounds.h"
@@ -50,6 +51,15 @@ Parts cutBy(const KnownVehicles& vehicles, Cluster cluster, const SegmentedFrame
     return parts;
 }
 
+// Where targets are that are surely no vehicles.
+PlaneIndex clutterOf(const std::vector<PredictedTarget>& targets)
+{
+    std::vector<PlaneBounds> places;
+    for (const PredictedTarget& t : targets)
+        if (t.isClutter) places.push_back(PlaneBounds::around(t.box.centre(), 0.0));
+    return PlaneIndex(places);
+}
+
 void append(std::vector<Cluster>& to, std::vector<Cluster> more)
 {
     std::move(more.begin(), more.end(), std::back_inserter(to));
@@ -63,13 +73,17 @@ SegmentedFrame withVehiclesCutOut(SegmentedFrame frame, const std::vector<Predic
     // What is smaller holds no more than a part of a car's end and a twig.
     constexpr double kLeastExtent = 2.0;  // m
     const KnownVehicles known(targets, options.association);
+    const PlaneIndex clutter = clutterOf(targets);
     Parts all;
     for (Cluster& cluster : frame.clusters)
     {
         const bool maySplit = boundsOf(cluster).diagonal() >= kLeastExtent;
         std::vector<Cluster> pieces =
             maySplit ? convexPieces(cluster, frame.sensor) : std::vector<Cluster>();
-        if (pieces.empty())
+        const bool isDented = !pieces.empty();
+        const bool holdsClutter =
+            maySplit && !isDented && !clutter.overlapping(PlaneBounds::around(cluster)).empty();
+        if (!isDented && !holdsClutter)
         {
             all.rest.push_back(std::move(cluster));
             continue;
@@ -77,6 +91,11 @@ SegmentedFrame withVehiclesCutOut(SegmentedFrame frame, const std::vector<Predic
         Parts parts = cutBy(known, std::move(cluster), frame, options.clustering);
         const bool isCut = !parts.vehicles.empty();
         append(all.vehicles, std::move(parts.vehicles));
+        if (!isDented)
+        {
+            append(all.rest, std::move(parts.rest));
+            continue;
+        }
         for (Cluster& rest : parts.rest)
         {
             if (isCut) pieces = convexPieces(rest, frame.sensor);

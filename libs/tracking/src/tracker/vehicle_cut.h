@@ -13,9 +13,10 @@
 namespace vdamf
 {
 /// Clusters whose outline is dented are searched for cars: those of the tracks that they outgrow,
-/// and those that show between the dents. What lies on one comes behind all clusters,
-/// marked as a vehicle's, and what does not is clustered anew. Then what is longer than
-/// [clustering] max_extent_m is dropped.
+/// and those that show between the dents. Where known clutter lies in one without dents, such
+/// tracks tell as well which hits are theirs. What lies on one comes behind all clusters, marked as
+/// a vehicle's, and what does not is clustered anew. Then what is longer than [clustering]
+/// max_extent_m is dropped.
 SegmentedFrame withVehiclesCutOut(SegmentedFrame frame, const std::vector<PredictedTarget>& targets,
                                   const Neighbourhood& around, const Discriminator& discriminator,
                                   const TrackerOptions& options);

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tracker/vehicle_cut.h"
+
+#include <gtest/gtest.h>
+
+#include "tracking/association/predicted_car.h"
+
+namespace vdamf
+{
+namespace
+{
+// Hits one above the other, along a line to the left of the sensor.
+void addWall(Cluster& cluster, const Eigen::Vector2f& from, const Eigen::Vector2f& to, int columns)
+{
+    for (int i = 0; i < columns; ++i)
+        for (const float height : {0.4F, 0.7F, 1.0F})
+        {
+            const Eigen::Vector2f p =
+                from + (to - from) * (static_cast<float>(i) / static_cast<float>(columns - 1));
+            cluster.x.push_back(p.x());
+            cluster.y.push_back(p.y());
+            cluster.z.push_back(height);
+            cluster.height.push_back(height);
+        }
+}
+
+// The side of a car from -2 to 2 m ahead, 4 m to the left, and a bush that goes on behind it
+// without a dent between them.
+SegmentedFrame carAtABush()
+{
+    SegmentedFrame frame;
+    frame.clusters.resize(1);
+    addWall(frame.clusters[0], {2.0F, 4.0F}, {-2.0F, 4.0F}, 40);
+    addWall(frame.clusters[0], {-2.7F, 4.1F}, {-7.0F, 5.0F}, 40);
+    frame.points = frame.clusters[0].size();
+    return frame;
+}
+
+PredictedTarget sureCar()
+{
+    PredictedTarget car = predictedCar(0.0, 4.9, 0.05);
+    car.box.length = 4.1;
+    car.isCar = true;
+    return car;
+}
+
+PredictedTarget bush(double x)
+{
+    PredictedTarget clutter = predictedCar(x, 4.7);
+    clutter.isClutter = true;
+    return clutter;
+}
+
+SegmentedFrame cutFor(const std::vector<PredictedTarget>& targets)
+{
+    const TrackerOptions options;
+    return withVehiclesCutOut(carAtABush(), targets, Neighbourhood(),
+                              Discriminator(options.discriminator), options);
+}
+
+TEST(VehicleCut, ACarKeepsItsHitsBesideKnownClutter)
+{
+    const SegmentedFrame cut = cutFor({sureCar(), bush(-5.0)});
+    ASSERT_EQ(cut.clusters.size(), 2U);
+    EXPECT_EQ(cut.isVehicle, (std::vector<bool>{false, true}));
+    EXPECT_EQ(cut.clusters[1].size(), 120U);
+    EXPECT_EQ(cut.clusters[0].size() + cut.clusters[1].size(), 240U);
+}
+
+TEST(VehicleCut, WithoutADentNothingElseIsCut)
+{
+    EXPECT_EQ(cutFor({sureCar()}).clusters.size(), 1U) << "it may be longer than it seemed";
+    EXPECT_EQ(cutFor({sureCar(), bush(-15.0)}).clusters.size(), 1U) << "the bush is elsewhere";
+    EXPECT_EQ(cutFor({predictedCar(0.0, 4.9, 0.05), bush(-5.0)}).clusters.size(), 1U)
+        << "no vehicle for sure";
+}
+}  // namespace
+}  // namespace vdamf
