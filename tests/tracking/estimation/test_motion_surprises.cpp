@@ -61,5 +61,36 @@ TEST(MotionSurprises, WhatJumpsAndStaysThereIsThere)
     }
 }
 
+// An occluder that goes by uncovers more and more of a parked car, so that its end seems to move.
+TEST(MotionSurprises, WhatStandsDoesNotLeapHoweverOftenItSeemsTo)
+{
+    Follower follower(0.1);
+    for (int k = 0; k < 40; ++k) follower.see(0.0);
+    for (int k = 1; k <= 4; ++k)
+    {
+        const double before = follower.hypotheses.driving.front().mean(kSpeed);
+        follower.see(0.6 * k);
+        const double gain = follower.hypotheses.driving.front().mean(kSpeed) - before;
+        EXPECT_LT(gain, 1.01) << "6 m/s in a tenth of a second, sighting " << k;
+        EXPECT_LT(follower.state().mean(kSpeed), 0.6 * k);
+    }
+}
+
+// At 4 m/s^2, as cars do that are in a hurry.
+TEST(MotionSurprises, WhatSetsOffAsVehiclesDoIsFollowed)
+{
+    Follower follower(0.05);
+    for (int k = 0; k < 40; ++k) follower.see(0.0);
+    double speed = 0.0;
+    double x = 0.0;
+    for (int k = 0; k < 15; ++k)
+    {
+        speed += 0.4;
+        follower.see(x += 0.1 * speed);
+    }
+    EXPECT_NEAR(follower.state().mean(kSpeed), speed, 1.0);
+    EXPECT_NEAR(follower.state().mean(kX), x, 0.2);
+}
+
 }  // namespace
 }  // namespace vdamf

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "estimation/leaps.h"
 #include "estimation/mixed.h"
 #include "estimation/rest.h"
 #include "estimation/surprise.h"
@@ -107,15 +108,6 @@ VehicleState updatedState(const VehicleState& state, const Measured& measured, d
     BoxMeasurement measurement = measured.whole;
     measurement.covariance *= vaguer;
     return filter.update(before, measurement);
-}
-
-// Whether it is known what it does: no vehicle jumps from there.
-bool isSpeedKnown(const MotionHypotheses& h)
-{
-    constexpr double kStands = 0.7;      // probability
-    constexpr double kSpeedSigma = 1.0;  // m/s
-    return h.standingProbability > kStands ||
-           h.driving.front().covariance(kSpeed, kSpeed) < kSpeedSigma * kSpeedSigma;
 }
 
 // Probabilities after a measurement: that it stands, and of what moves, that it does so freely.
@@ -264,6 +256,14 @@ MotionHypotheses updated(const MotionHypotheses& h, const BoxMeasurement& measur
             });
     };
     next.surprised = foretold.whole.each.front().nis > nisGate;
+    const double nis = sharp.each.front().nis;
+    const BoxMeasurement& taken = nis <= nisGate ? measured.jitter : measurement;
+    if (const auto vaguer = withoutLeap(h, taken, nis, filter))
+    {
+        next.forEach([&](VehicleState& state) { state = filter.update(state, *vaguer); });
+        next.surprised = true;
+        return next;
+    }
     if (next.surprised && !h.surprised && isSpeedKnown(h))
     {
         // A single measurement tells nothing else than that it errs; those that follow will.

@@ -59,8 +59,9 @@ MotionHypotheses drifted(const MotionHypotheses& hypotheses, const Eigen::Matrix
 
 /// All after a measurement, of whose variance a share is jitter. Where its NIS is above `nisGate`,
 /// both it and what may move are that much less certain, and of what stands it alone; the first
-/// time that no hypothesis foretold one of a vehicle whose speed was known, it alone for all. A
-/// standing hypothesis that was refuted starts again where the vehicle is.
+/// time that no hypothesis foretold one of a vehicle whose speed was known, it alone for all. One
+/// by which what stood would set off faster than vehicles can is an error, and as vague as it takes
+/// for that. A standing hypothesis that was refuted starts again where the vehicle is.
 MotionHypotheses updated(const MotionHypotheses& hypotheses, const BoxMeasurement& measurement,
                          const JitterShares& jitter, VehicleKalmanFilter& filter, double nisGate);
 

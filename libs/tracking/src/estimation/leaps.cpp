@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "estimation/leaps.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vdamf
+{
+namespace
+{
+// Whether it likely stands, and its speed is known to 1 m/s.
+bool isKnownToStand(const MotionHypotheses& h)
+{
+    constexpr double kLikely = 0.5;      // probability
+    constexpr double kSpeedSigma = 1.0;  // m/s
+    const VehicleState& drives = h.driving.front();
+    const double stands = h.standingProbability;
+    const double speed = drives.mean(kSpeed);
+    const double variance =
+        (1.0 - stands) * (drives.covariance(kSpeed, kSpeed) + stands * speed * speed);
+    return stands > kLikely && variance < kSpeedSigma * kSpeedSigma;
+}
+}  // namespace
+
+bool isSpeedKnown(const MotionHypotheses& h)
+{
+    constexpr double kStands = 0.7;      // probability
+    constexpr double kSpeedSigma = 1.0;  // m/s
+    return h.standingProbability > kStands ||
+           h.driving.front().covariance(kSpeed, kSpeed) < kSpeedSigma * kSpeedSigma;
+}
+
+std::optional<BoxMeasurement> withoutLeap(const MotionHypotheses& h,
+                                          const BoxMeasurement& measurement, double nis,
+                                          VehicleKalmanFilter& filter)
+{
+    constexpr double kMostGain = 1.0;  // m/s
+    constexpr double kAsForetold = 2.0;
+    constexpr int kSteps = 8;
+    if (nis < kAsForetold || !isKnownToStand(h)) return std::nullopt;
+    const VehicleState& driving = h.driving.front();
+    BoxMeasurement vaguer = measurement;
+    for (int step = 0; step < kSteps; ++step)
+    {
+        const double speed = filter.update(driving, vaguer).mean(kSpeed);
+        const double gain = std::abs(speed - driving.mean(kSpeed));
+        if (gain <= kMostGain && step == 0) return std::nullopt;
+        if (gain <= kMostGain) break;
+        vaguer.covariance *= std::max(2.0, gain / kMostGain);
+    }
+    return vaguer;
+}
+
+}  // namespace vdamf
