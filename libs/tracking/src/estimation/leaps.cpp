@@ -8,11 +8,11 @@ namespace vdamf
 {
 namespace
 {
-// Whether it likely stands, and its speed is known to 1 m/s.
+// Whether it likely stands, and its speed is known well.
 bool isKnownToStand(const MotionHypotheses& h)
 {
     constexpr double kLikely = 0.5;      // probability
-    constexpr double kSpeedSigma = 1.0;  // m/s
+    constexpr double kSpeedSigma = 0.7;  // m/s
     const VehicleState& drives = h.driving.front();
     const double stands = h.standingProbability;
     const double speed = drives.mean(kSpeed);
