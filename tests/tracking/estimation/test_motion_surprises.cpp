@@ -62,11 +62,11 @@ TEST(MotionSurprises, WhatJumpsAndStaysThereIsThere)
 }
 
 // An occluder that goes by uncovers more and more of a parked car, so that its end seems to move.
-TEST(MotionSurprises, WhatStandsDoesNotLeapHoweverOftenItSeemsTo)
+TEST(MotionSurprises, WhatStandsDoesNotLeapUnlessItGoesOn)
 {
     Follower follower(0.1);
     for (int k = 0; k < 40; ++k) follower.see(0.0);
-    for (int k = 1; k <= 4; ++k)
+    for (int k = 1; k <= 3; ++k)
     {
         const double before = follower.hypotheses.driving.front().mean(kSpeed);
         follower.see(0.6 * k);
@@ -74,6 +74,9 @@ TEST(MotionSurprises, WhatStandsDoesNotLeapHoweverOftenItSeemsTo)
         EXPECT_LT(gain, 1.01) << "6 m/s in a tenth of a second, sighting " << k;
         EXPECT_LT(follower.state().mean(kSpeed), 0.6 * k);
     }
+    for (int k = 4; k <= 12; ++k) follower.see(0.6 * k);
+    EXPECT_NEAR(follower.state().mean(kSpeed), 6.0, 0.5) << "it drove all the time";
+    EXPECT_NEAR(follower.state().mean(kX), 7.2, 0.2);
 }
 
 // At 4 m/s^2, as cars do that are in a hurry.
