@@ -6,6 +6,7 @@
 
 #include "association/vehicle_surface.h"
 #include "types/append_hit.h"
+#include "types/cluster_bounds.h"
 
 namespace vdamf
 {
@@ -87,7 +88,7 @@ std::optional<CutCluster> KnownVehicles::cut(const Cluster& cluster,
 {
     if (cluster.size() < 2 * kLeastHits || vehicles_.empty()) return std::nullopt;
     std::vector<VehicleSurface> outgrown;
-    for (const std::size_t k : index_.overlapping(PlaneBounds::around(cluster)))
+    for (const std::size_t k : index_.overlapping(PlaneBounds::around(boundsOf(cluster))))
     {
         const VehicleSurface surface = surfaceOf(vehicles_[k], sensor, options_);
         if (surface.isOutgrownBy(cluster)) outgrown.push_back(surface);

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "types/cluster_bounds.h"
-
 namespace vdamf
 {
 namespace
@@ -32,9 +30,8 @@ PlaneBounds boundsOfAll(const std::vector<PlaneBounds>& items)
 }
 }  // namespace
 
-PlaneBounds PlaneBounds::around(const Cluster& cluster)
+PlaneBounds PlaneBounds::around(const ClusterBounds& b)
 {
-    const ClusterBounds b = boundsOf(cluster);
     return {Eigen::Vector2f(b.minX, b.minY).cast<double>(),
             Eigen::Vector2f(b.maxX, b.maxY).cast<double>()};
 }

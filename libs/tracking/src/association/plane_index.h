@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "vdamf/tracking/types/cluster.h"
+#include "types/cluster_bounds.h"
 
 namespace vdamf
 {
@@ -21,7 +21,7 @@ struct PlaneBounds
     {
         return {centre.array() - reach, centre.array() + reach};
     }
-    static PlaneBounds around(const Cluster& cluster);
+    static PlaneBounds around(const ClusterBounds& cluster);
     bool overlaps(const PlaneBounds& other) const
     {
         return (min.array() <= other.max.array()).all() && (other.min.array() <= max.array()).all();

@@ -39,14 +39,15 @@ std::optional<BoxMeasurement> withoutLeap(const MotionHypotheses& h,
     constexpr int kSteps = 8;
     if (nis < kAsForetold || !isKnownToStand(h)) return std::nullopt;
     const VehicleState& driving = h.driving.front();
+    const auto gainBy = [&](const BoxMeasurement& m)
+    { return std::abs(filter.update(driving, m).mean(kSpeed) - driving.mean(kSpeed)); };
+    double gain = gainBy(measurement);
+    if (gain <= kMostGain) return std::nullopt;
     BoxMeasurement vaguer = measurement;
-    for (int step = 0; step < kSteps; ++step)
+    for (int step = 0; step < kSteps && gain > kMostGain; ++step)
     {
-        const double speed = filter.update(driving, vaguer).mean(kSpeed);
-        const double gain = std::abs(speed - driving.mean(kSpeed));
-        if (gain <= kMostGain && step == 0) return std::nullopt;
-        if (gain <= kMostGain) break;
         vaguer.covariance *= std::max(2.0, gain / kMostGain);
+        gain = gainBy(vaguer);
     }
     return vaguer;
 }

@@ -12,15 +12,15 @@ Measurement withNearEndOfRow(const Sighting& sighting)
     Measurement m = sighting.measurement;
     if (!m.facesSeen.seesSide()) return m;
     const FaceRow& row = sighting.side;
-    const double near = toBoxFrame(m.box, sighting.sensor).x() > 0.0 ? 1.0 : -1.0;
+    const int end = toBoxFrame(m.box, sighting.sensor).x() > 0.0 ? 1 : 0;
+    const double near = signOfEnd(end);
     const double beyond = near * row.middle + 0.5 * row.metres - 0.5 * m.box.length;
     if (beyond < kBeyond) return m;
-    const Eigen::Vector2d shift = 0.5 * near * beyond * rotation(m.box.heading).col(0);
-    m.box.x += shift.x();
-    m.box.y += shift.y();
+    const Vector5d change = byFace(rotation(m.box.heading), 0, end);
+    m.box.x += near * beyond * change(0);
+    m.box.y += near * beyond * change(1);
     m.box.length += beyond;
-    m.facesSeen.remove(near > 0.0 ? Face::Front : Face::Back);
-    const Vector5d change = byFace(rotation(m.box.heading), 0, near > 0.0 ? 1 : 0);
+    m.facesSeen.remove(kFaceAt[0][end]);
     m.covariance += kSigma * kSigma * change * change.transpose();
     return m;
 }

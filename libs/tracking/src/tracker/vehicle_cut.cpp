@@ -77,12 +77,13 @@ SegmentedFrame withVehiclesCutOut(SegmentedFrame frame, const std::vector<Predic
     Parts all;
     for (Cluster& cluster : frame.clusters)
     {
-        const bool maySplit = boundsOf(cluster).diagonal() >= kLeastExtent;
+        const ClusterBounds bounds = boundsOf(cluster);
+        const bool maySplit = bounds.diagonal() >= kLeastExtent;
         std::vector<Cluster> pieces =
             maySplit ? convexPieces(cluster, frame.sensor) : std::vector<Cluster>();
         const bool isDented = !pieces.empty();
         const bool holdsClutter =
-            maySplit && !isDented && !clutter.overlapping(PlaneBounds::around(cluster)).empty();
+            maySplit && !isDented && !clutter.overlapping(PlaneBounds::around(bounds)).empty();
         if (!isDented && !holdsClutter)
         {
             all.rest.push_back(std::move(cluster));
