@@ -18,13 +18,17 @@ inline VehicleState unknownSpeed()
     return s;
 }
 
-// Follows a vehicle along x, measured at 10 Hz with 6 cm of noise, or a part of it.
+// Follows a vehicle along x, measured every tenth of a second (or `interval`) with 6 cm of noise,
+// or a part of it.
 class Follower
 {
 public:
-    explicit Follower(double noise = 1.0) : noise_(noise) {}
+    explicit Follower(double noise = 1.0, double interval = 0.1)
+        : noise_(noise), interval_(interval)
+    {
+    }
 
-    MotionHypotheses later() { return predicted(hypotheses, 0.1, filter_, options_); }
+    MotionHypotheses later() { return predicted(hypotheses, interval_, filter_, options_); }
 
     void see(double x)
     {
@@ -41,6 +45,7 @@ public:
 
 private:
     double noise_;
+    double interval_;  // s
     MotionOptions options_;
     VehicleKalmanFilter filter_{MotionOptions()};
     std::mt19937_64 generator_{4};

@@ -79,6 +79,24 @@ TEST(MotionSurprises, WhatStandsDoesNotLeapUnlessItGoesOn)
     EXPECT_NEAR(follower.state().mean(kX), 7.2, 0.2);
 }
 
+// However often it is measured.
+TEST(MotionSurprises, WhatStandsGainsSpeedByTheTimeThatPasses)
+{
+    const auto gainOf = [](double interval)
+    {
+        Follower follower(0.1, interval);
+        for (int k = 0; k < 40; ++k) follower.see(0.0);
+        const double before = follower.hypotheses.driving.front().mean(kSpeed);
+        follower.see(0.7);
+        return follower.hypotheses.driving.front().mean(kSpeed) - before;
+    };
+    EXPECT_LT(gainOf(0.05), 0.51);
+    EXPECT_GT(gainOf(0.1), 0.51);
+    EXPECT_LT(gainOf(0.1), 1.01);
+    EXPECT_GT(gainOf(0.2), 1.01);
+    EXPECT_LT(gainOf(0.2), 2.01);
+}
+
 // At 4 m/s^2, as cars do that are in a hurry.
 TEST(MotionSurprises, WhatSetsOffAsVehiclesDoIsFollowed)
 {

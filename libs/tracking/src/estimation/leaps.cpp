@@ -34,19 +34,20 @@ std::optional<BoxMeasurement> withoutLeap(const MotionHypotheses& h,
                                           const BoxMeasurement& measurement, double nis,
                                           VehicleKalmanFilter& filter)
 {
-    constexpr double kMostGain = 1.0;  // m/s
+    constexpr double kMostAcceleration = 10.0;  // m/s^2
     constexpr double kAsForetold = 2.0;
     constexpr int kSteps = 8;
     if (nis < kAsForetold || !isKnownToStand(h)) return std::nullopt;
+    const double mostGain = kMostAcceleration * h.interval;
     const VehicleState& driving = h.driving.front();
     const auto gainBy = [&](const BoxMeasurement& m)
     { return std::abs(filter.update(driving, m).mean(kSpeed) - driving.mean(kSpeed)); };
     double gain = gainBy(measurement);
-    if (gain <= kMostGain) return std::nullopt;
+    if (gain <= mostGain) return std::nullopt;
     BoxMeasurement vaguer = measurement;
-    for (int step = 0; step < kSteps && gain > kMostGain; ++step)
+    for (int step = 0; step < kSteps && gain > mostGain; ++step)
     {
-        vaguer.covariance *= std::max(2.0, gain / kMostGain);
+        vaguer.covariance *= std::max(2.0, gain / mostGain);
         gain = gainBy(vaguer);
     }
     return vaguer;

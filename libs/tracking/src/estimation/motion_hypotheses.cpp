@@ -206,6 +206,7 @@ MotionHypotheses predicted(const MotionHypotheses& h, double dt, VehicleKalmanFi
     MotionHypotheses next = interacting(h, dt, calm + (1.0 - calm) * h.standingProbability);
     for (VehicleState& state : next.driving) state = filter.predict(state, dt, calm);
     next.unrest = h.unrest.later(dt);
+    next.interval = dt;
     next.standing = standingLater(h.standing, dt, options);
     const double rest = restProbability(next.driving.front());
     next.standingProbability = rest + stays * (h.standingProbability - rest);

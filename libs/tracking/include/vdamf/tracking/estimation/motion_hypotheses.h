@@ -30,6 +30,7 @@ struct MotionHypotheses
     VehicleState free;             ///< Steering::Independent
     double freeProbability = 0.0;  ///< among those that move; 0: not tracked
     bool surprised = false;        ///< none foretold the last measurement
+    double interval = 0.0;         ///< over which it was predicted last, s
 
     /// Mean and covariance of the mixture, as a state of the variable axis.
     VehicleState combined(const MotionOptions& options) const;
