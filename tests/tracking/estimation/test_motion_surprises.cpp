@@ -97,6 +97,25 @@ TEST(MotionSurprises, WhatStandsGainsSpeedByTheTimeThatPasses)
     EXPECT_LT(gainOf(0.2), 2.01);
 }
 
+// Two measurements at one time, as of two parts.
+TEST(MotionSurprises, WhatNoTimePassedForIsTakenAsItIs)
+{
+    MotionHypotheses h = hypothesesFrom(unknownSpeed(), MotionOptions());
+    h.standingProbability = 0.95;
+    for (VehicleState& state : h.driving)
+    {
+        state.covariance(kSpeed, kSpeed) = 0.04;
+        state.covariance(kX, kSpeed) = state.covariance(kSpeed, kX) = 0.01;
+    }
+    VehicleKalmanFilter filter{MotionOptions()};
+    BoxMeasurement m;
+    m.box << 0.6, 0.0, 0.0, 4.5, 1.8;
+    m.covariance.diagonal() << 0.0036, 0.0009, 1e-4, 0.01, 0.01;
+    const MotionHypotheses next = updated(h, m, JitterShares(), filter, 11.34);
+    EXPECT_TRUE(next.combined(MotionOptions()).mean.allFinite());
+    EXPECT_TRUE(next.combined(MotionOptions()).covariance.allFinite());
+}
+
 // At 4 m/s^2, as cars do that are in a hurry.
 TEST(MotionSurprises, WhatSetsOffAsVehiclesDoIsFollowed)
 {

@@ -37,7 +37,7 @@ std::optional<BoxMeasurement> withoutLeap(const MotionHypotheses& h,
     constexpr double kMostAcceleration = 10.0;  // m/s^2
     constexpr double kAsForetold = 2.0;
     constexpr int kSteps = 8;
-    if (nis < kAsForetold || !isKnownToStand(h)) return std::nullopt;
+    if (nis < kAsForetold || h.interval <= 0.0 || !isKnownToStand(h)) return std::nullopt;
     const double mostGain = kMostAcceleration * h.interval;
     const VehicleState& driving = h.driving.front();
     const auto gainBy = [&](const BoxMeasurement& m)

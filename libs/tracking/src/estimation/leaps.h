@@ -13,7 +13,8 @@ bool isSpeedKnown(const MotionHypotheses& hypotheses);
 
 /// The measurement of what likely stands, and whose speed is known to 0.7 m/s, so vague that it
 /// gives it no more speed than vehicles gain from one frame to the next (10 m/s^2); nothing where
-/// it gives no more as it is, or what else is measured. `nis`: of the innovation.
+/// it gives no more as it is, what else is measured, or no time has passed. `nis`: of the
+/// innovation.
 std::optional<BoxMeasurement> withoutLeap(const MotionHypotheses& hypotheses,
                                           const BoxMeasurement& measurement, double nis,
                                           VehicleKalmanFilter& filter);
