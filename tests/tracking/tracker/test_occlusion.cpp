@@ -94,6 +94,33 @@ INSTANTIATE_TEST_SUITE_P(
                     Passage{"speeding_up_20", 2.0, "keep 1.8, speed_to 10 1.2, keep 9", 8}),
     [](const auto& test) { return std::string(test.param.name); });
 
+// Nothing tells in sight that it will go on around the island: after 3.5 s it is 9 m from where it
+// would have been.
+TEST(Occlusion, ACarThatTurnsOutOfSightIsKnownAgain)
+{
+    constexpr double kGoesIn = 3.0;    // s
+    constexpr double kComesOut = 7.5;  // s
+    const auto seen = trackedObjects(scenarioOf(
+        "[scenario]\nduration_s = 9\n"
+        "[sensor]\nx_m = 0.8\nz_m = 1.9\n"
+        "[platform]\nx_m = 8\ny_m = -4\nheading_deg = 10\nspeed_mps = 0\n"
+        "[object around]\nclass = car\nx_m = 30\ny_m = -15\nspeed_mps = 6\n"
+        "segments = turn 1080 15\n"
+        "[object tree]\nclass = tree\nlength_m = 5\nwidth_m = 5\nheight_m = 6\nx_m = 30\ny_m = 0\n"
+        "[object bush]\nclass = bush\nlength_m = 4\nwidth_m = 3\nheight_m = 1.2\nx_m = 33\n"
+        "y_m = 4\n",
+        4));
+    std::set<std::uint64_t> before, between, after;
+    for (const Seen& frame : seen.at("around"))
+    {
+        if (frame.tracks.empty()) continue;
+        const std::uint64_t id = frame.tracks.front().id;
+        (frame.time < kGoesIn ? before : frame.time < kComesOut ? between : after).insert(id);
+    }
+    EXPECT_EQ(before.size(), 1U);
+    EXPECT_EQ(before, after);
+}
+
 TEST(Occlusion, StandingCarsKeepTheirIdentityWhileABusPasses)
 {
     const auto seen = trackedObjects(scenarioOf(

@@ -193,4 +193,11 @@ Track withMiss(Track track, const OpenView& view, const Unseen& unseen,
     return track;
 }
 
+std::vector<Track> withoutEnded(std::vector<Track> tracks)
+{
+    const auto isEnded = [](const Track& t) { return t.status == TrackStatus::Ended; };
+    tracks.erase(std::remove_if(tracks.begin(), tracks.end(), isEnded), tracks.end());
+    return tracks;
+}
+
 }  // namespace vdamf

@@ -45,4 +45,7 @@ Track withConfirmation(Track track, const LifecycleOptions& options);
 Track withMiss(Track track, const OpenView& view, const Unseen& unseen,
                const LifecycleOptions& options);
 
+/// Those that go on.
+std::vector<Track> withoutEnded(std::vector<Track> tracks);
+
 }  // namespace vdamf

@@ -63,6 +63,7 @@ Track movedBy(Track track, const PlaneMotion& by)
 Track predictedTrack(Track track, double dt, const Eigen::Vector2d& sensor,
                      VehicleKalmanFilter& filter, const MotionOptions& options)
 {
+    track.wasPublished = track.wasPublished || track.status != TrackStatus::Tentative;
     track.stoodProbability = track.hypotheses->standingProbability;
     const View before = viewOf(track.hypotheses->driving.front().box(), track.seenFrom);
     const MotionHypotheses later = predicted(*track.hypotheses, dt, filter, options);

@@ -48,6 +48,7 @@ struct Track
 {
     std::uint64_t id = 0;
     TrackStatus status = TrackStatus::Tentative;
+    bool wasPublished = false;  ///< in an earlier frame
     Boxed<MotionHypotheses> hypotheses;
     VehicleState state;  ///< mean of the hypotheses
     JitterShares jitter;
@@ -69,6 +70,7 @@ struct Track
     int misses = 0;          ///< frames since the last sighting
     int lastHits = 0;        ///< in the last frame before this one that had some
     double existence = 0.5;  ///< probability that there is an object
+    double firstSeen = 0.0;  ///< s
     double lastSeen = 0.0;   ///< s
     double lastMatch = 0.0;  ///< response per hit of the last sighting, 1/m
     HeadingBelief front;

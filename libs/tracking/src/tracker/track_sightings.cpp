@@ -203,7 +203,7 @@ Track startedTrack(std::uint64_t id, const Sighting& sighting, const StartSpeed&
     track.highest = sighting.height + sighting.overHits;
     track.faceHeight = sighting.faceHeight;
     track.sightings = 1;
-    track.lastSeen = sighting.time;
+    track.firstSeen = track.lastSeen = sighting.time;
     track.seenFrom = sighting.sensor;
     track.told = SizesTold().with(m);
     if (!track.told.length)

@@ -15,6 +15,7 @@
 #include "tracker/glance.h"
 #include "tracker/neighbourhood.h"
 #include "tracker/new_sightings.h"
+#include "tracker/out_of_sight.h"
 #include "tracker/predicted_targets.h"
 #include "tracker/segmentation.h"
 #include "tracker/shared_cut.h"
@@ -33,7 +34,8 @@ public:
           workers_(options.execution.threads),
           discriminator_(options.discriminator),
           typeFilters_(options.measurement),
-          alignment_(options.alignment)
+          alignment_(options.alignment),
+          outOfSight_(options.lifecycle.maxCoast)
     {
         for (std::size_t k = 0; k < workers_.size(); ++k) filters_.emplace_back(options.motion);
     }
@@ -69,8 +71,9 @@ public:
         judgeTracks(segmented, assignment);
         const std::vector<OrientedBox> extents = discriminator_.extentsOf(tracks_);
         tracks_ = withDuplicatesEnded(std::move(tracks_), extents);
+        tracks_ = outOfSight_.withReturns(std::move(tracks_), frame.time);
         FrameResult result = reportFrame(frame, segmented);
-        removeEnded();
+        tracks_ = withoutEnded(std::move(tracks_));
         if (observer_) observer_(nullptr);
         return result;
     }
@@ -117,6 +120,7 @@ private:
         interval_ = dt;
         const Eigen::Vector3d moved = origin_ - frame.origin;
         alignment_.goOn(-moved.head<2>(), frame.time);
+        outOfSight_.moveBy(moved);
         time_ = frame.time;
         origin_ = frame.origin;
         const Eigen::Vector2d sensor = (frame.sensor - frame.origin).head<2>();
@@ -160,6 +164,7 @@ private:
         const auto platform = alignment_.motionOf(tracks_, sightings, options_.visibility);
         if (!platform) return;
         for (Track& track : tracks_) track = movedBy(std::move(track), platform->motion);
+        outOfSight_.moveBy(platform->motion);
         for (std::optional<Sighting>& sighting : sightings)
         {
             if (!sighting) continue;
@@ -252,19 +257,13 @@ private:
         return result;
     }
 
-    void removeEnded()
-    {
-        tracks_.erase(std::remove_if(tracks_.begin(), tracks_.end(),
-                                     [](const Track& t) { return t.status == TrackStatus::Ended; }),
-                      tracks_.end());
-    }
-
     TrackerOptions options_;
     WorkerPool workers_;
     std::vector<VehicleKalmanFilter> filters_;  // of each worker
     Discriminator discriminator_;
     TypeFilters typeFilters_;
     Alignment alignment_;
+    OutOfSight outOfSight_;
     std::vector<Track> tracks_;  // by rising id
     std::uint64_t nextId_ = 1;
     std::optional<double> time_;

@@ -61,7 +61,8 @@ struct LifecycleOptions
               "probability that an object is there below which its track ends; a new track's is "
               "0.5, most is 0.99");
         field(self.maxCoast, "max_coast_s", 0.0, 60.0,
-              "time without hits that ends a track, hidden or not");
+              "time without hits that ends a track, hidden or not, and within which what turned "
+              "out of sight is known again");
         field(self.startSpeedSigma, "start_speed_sigma_mps", 0.1, 40.0,
               "standard deviation of a new track's speed");
         field(self.nisGate, "nis_gate", 1.0, 1000.0,

@@ -24,7 +24,7 @@ enum class TrackStatus
     Tentative,  ///< new, not yet believed
     Confirmed,  ///< measured often enough to be published
     Coasting,   ///< confirmed, but not measured in this frame
-    Ended       ///< last row of this track
+    Ended       ///< last row of this track, unless it turned out of sight and is found again
 };
 
 const char* toString(TrackStatus status);
