@@ -170,6 +170,19 @@ TEST(Neighbourhood, HeadingIsThatOfTheVehiclesAround)
     EXPECT_FALSE(row.heading({0, 30, 0.2, 4.3, 1.8}, kSelf)) << "nobody near";
 }
 
+TEST(Neighbourhood, WhatTurnsTellsNothing)
+{
+    const OrientedBox box{0, 0, 0.25, 4.3, 1.8};
+    Track turning = surelyParkedAt(1, 6.0, 0.0, 0.3);
+    turning.state.mean(kSpeed) = 5.0;
+    ASSERT_GT(around({turning}).axesEvidence(box, kSelf), 0.5) << "drives straight on";
+    ASSERT_TRUE(around({turning}).heading(box, kSelf));
+    turning.state.mean(kCurvature) = 0.05;
+    EXPECT_EQ(around({turning}).axesEvidence(box, kSelf), 0.0);
+    EXPECT_FALSE(around({turning}).heading(box, kSelf));
+    EXPECT_TRUE(around({turning}).isTaken(turning.box(), kSelf)) << "is there all the same";
+}
+
 TEST(Neighbourhood, WhatMayBeNoVehicleTellsNoHeading)
 {
     Track shrub = surelyParkedAt(1, 0.0, 2.5, 0.0);

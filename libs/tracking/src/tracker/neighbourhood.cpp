@@ -31,6 +31,7 @@ constexpr double kHeadingSpread = 0.07 * 0.07;  // rad^2
 constexpr double kLeastSpread = 0.04 * 0.04;    // rad^2, of what all around have in common
 constexpr double kAskew = 30.0 * kPi / 180.0;   // rad: stands otherwise
 constexpr double kSureNeighbour = 2.3;          // log odds, of those that are followed
+constexpr double kTurns = 0.1;                  // rad/s: lies so for a moment only
 constexpr double kTooDeep = 1.0;                // m, for two vehicles in each other
 
 // Whether what lies so far from a vehicle stands in line with it or beside it.
@@ -94,6 +95,7 @@ Neighbourhood::Neighbourhood(const std::vector<Track>& tracks, const Discriminat
         if (!isKnown(track)) continue;
         const double vehicle = discriminator.vehicleProbability(track);
         neighbours_.push_back({track.id, track.box(), track.misses == 0,
+                               std::abs(track.state.yawRate()) > kTurns,
                                track.state.covariance(kHeading, kHeading),
                                oddsByNeighbour(vehicle, track.front.ownAxesProbability(), kAlike),
                                frontOddsByNeighbour(track.front, vehicle)});
@@ -114,18 +116,19 @@ void Neighbourhood::forEachWithin(double reach, const Eigen::Vector2d& centre, s
 double Neighbourhood::axesEvidence(const OrientedBox& box, std::uint64_t self) const
 {
     double sum = 0.0;
-    forEachWithin(kReachInRow, box.centre(), self,
-                  [&](const Neighbour& other)
-                  {
-                      const Eigen::Vector2d off = box.centre() - other.box.centre();
-                      if (off.norm() > kReach && !isInRow(off, other.box.heading)) return;
-                      const double turn =
-                          std::abs(std::remainder(other.box.heading - box.heading, kPi));
-                      if (turn < kSame)
-                          sum += other.logOdds;
-                      else if (turn > 0.5 * kPi - kSame)
-                          sum -= other.logOdds;
-                  });
+    forEachWithin(
+        kReachInRow, box.centre(), self,
+        [&](const Neighbour& other)
+        {
+            const Eigen::Vector2d off = box.centre() - other.box.centre();
+            if (other.isTurning || (off.norm() > kReach && !isInRow(off, other.box.heading)))
+                return;
+            const double turn = std::abs(std::remainder(other.box.heading - box.heading, kPi));
+            if (turn < kSame)
+                sum += other.logOdds;
+            else if (turn > 0.5 * kPi - kSame)
+                sum -= other.logOdds;
+        });
     return std::clamp(sum, -kMostEvidence, kMostEvidence);
 }
 
@@ -159,15 +162,17 @@ std::optional<HeadingPrior> Neighbourhood::heading(const OrientedBox& box, std::
 {
     double information = 0.0;
     double turns = 0.0;
-    forEachWithin(kReach, box.centre(), self,
-                  [&](const Neighbour& other)
-                  {
-                      const double turn = std::remainder(other.box.heading - box.heading, kPi);
-                      if (other.logOdds < kSureNeighbour || std::abs(turn) > kAskew) return;
-                      const double each = 1.0 / (kHeadingSpread + other.headingVariance);
-                      information += each;
-                      turns += each * turn;
-                  });
+    forEachWithin(
+        kReach, box.centre(), self,
+        [&](const Neighbour& other)
+        {
+            const double turn = std::remainder(other.box.heading - box.heading, kPi);
+            if (other.isTurning || other.logOdds < kSureNeighbour || std::abs(turn) > kAskew)
+                return;
+            const double each = 1.0 / (kHeadingSpread + other.headingVariance);
+            information += each;
+            turns += each * turn;
+        });
     if (information == 0.0) return std::nullopt;
     return HeadingPrior{box.heading + turns / information,
                         std::max(1.0 / information, kLeastSpread)};

@@ -57,6 +57,7 @@ private:
         std::uint64_t id = 0;
         OrientedBox box;
         bool isInSight = false;        // it was, in the last frame
+        bool isTurning = false;        // and tells nothing of how others stand
         double headingVariance = 0.0;  // rad^2
         double logOdds = 0.0;          // that another's length lies along its heading
         double front = 0.0;            // log odds that another's front in line lies as its own
