@@ -38,35 +38,6 @@ FaceSet leftSide()
 const OrientedBox kWall{0.0, 0.0, 0.0, 12.0, 0.7};
 const Eigen::Vector2d kSensorOnLeft(0.0, 8.0);
 
-TEST(RangeProfile, KnowsTheLowestRay)
-{
-    LadarFrame frame;
-    frame.sensor = {100.0, 50.0, 1.8};
-    frame.origin = {98.0, 50.0, 0.0};
-    const float nan = std::numeric_limits<float>::quiet_NaN();
-    frame.points.x = {12.0F, 5.0F, nan, 2.2F};
-    frame.points.y = {0.0F, 0.0F, 0.0F, 0.0F};
-    frame.points.z = {1.0F, 0.0F, 0.0F, 0.0F};  // the last one is on the roof
-    EXPECT_NEAR(rangeProfile(frame, {}).lowestSlope, -1.8 / 3.0, 1e-6);
-}
-
-// Beside a sensor that looks down by 30 degrees, 1.9 m above the ground, a car passes 2 m away.
-TEST(EndsBelowView, AreThoseAbreastOfTheSensor)
-{
-    RangeProfile profile;
-    profile.lowestSlope = -0.58;
-    const auto below = [&](double ahead, double side) {
-        return toString(
-            endsBelowView({ahead, side + 0.9, 0.0, 4.5, 1.8}, {0.0, 0.0}, 1.9, profile));
-    };
-    EXPECT_EQ(below(2.25, 2.0), "B") << "1.9 - 0.58 * 2.0 = 0.74 m is the lowest that shows";
-    EXPECT_EQ(below(-2.25, 2.0), "F");
-    EXPECT_EQ(below(0.0, 2.0), "") << "both ends are 3 m away, there 0.15 m is";
-    EXPECT_EQ(below(2.25, 2.5), "");
-    EXPECT_TRUE(endsBelowView({2.25, 2.9, 0.0, 4.5, 1.8}, {0.0, 0.0}, 1.9, RangeProfile()).empty())
-        << "nothing is known of the rays";
-}
-
 TEST(RangeProfile, KeepsTheNearestHighHit)
 {
     LadarFrame frame;

@@ -92,20 +92,4 @@ FaceSet shadowEdges(const OrientedBox& box, FaceSet seen, const Eigen::Vector2d&
     return FaceSet();
 }
 
-FaceSet endsBelowView(const OrientedBox& box, const Eigen::Vector2d& sensor, double sensorHeight,
-                      const RangeProfile& profile)
-{
-    constexpr double kBumper = 0.6;  // m, of which some has to be seen
-    FaceSet below;
-    const Eigen::Vector2d view = toBoxFrame(box, sensor);
-    const double across = std::max(0.0, std::abs(view.y()) - 0.5 * box.width);
-    for (int end = 0; end < 2; ++end)
-    {
-        const double place = 0.5 * signOfEnd(end) * box.length;
-        const double range = std::hypot(view.x() - place, across);
-        if (sensorHeight + profile.lowestSlope * range > kBumper) below.add(kFaceAt[0][end]);
-    }
-    return below;
-}
-
 }  // namespace vdamf

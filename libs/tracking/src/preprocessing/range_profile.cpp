@@ -7,7 +7,6 @@
 #include <limits>
 
 #include "preprocessing/bearing.h"
-#include "preprocessing/sample.h"
 #include "types/wide_lanes.h"
 
 namespace vdamf
@@ -57,25 +56,6 @@ struct LocatedBlock
         });
     }
 };
-
-double lowestSlope(const LadarFrame& frame)
-{
-    constexpr float kNear = 1.0F;  // m: hits on the platform itself
-    const PointCloud& points = frame.points;
-    const Eigen::Vector3f sensor = (frame.sensor - frame.origin).cast<float>();
-    const std::size_t step = sampleStep(points.size());
-    double lowest = 0.0;
-    for (std::size_t i = 0; i < points.size(); i += step)
-    {
-        const float x = points.x[i] - sensor.x();
-        const float y = points.y[i] - sensor.y();
-        const float range = std::sqrt(x * x + y * y);
-        // False for what is not finite, too.
-        if (range > kNear)
-            lowest = std::min(lowest, static_cast<double>((points.z[i] - sensor.z()) / range));
-    }
-    return lowest;
-}
 }  // namespace
 
 RangeProfile rangeProfile(const LadarFrame& frame, const AboveGround& aboveGround)
@@ -101,7 +81,6 @@ RangeProfile rangeProfile(const LadarFrame& frame, const AboveGround& aboveGroun
         above[k] = std::min(above[k], above[k + kProfileSectors]);
     profile.nearest.assign(above.begin(), above.begin() + kProfileSectors);
     if (frame.planar) above.clear();
-    profile.lowestSlope = lowestSlope(frame);
     return profile;
 }
 

@@ -79,21 +79,6 @@ bool isOpenPast(const OrientedBox& box, int end, const Eigen::Vector2d& sensor,
 }
 }  // namespace
 
-Measurement withoutEndsBelowView(const Sighting& sighting, const SegmentedFrame& frame)
-{
-    Measurement m = sighting.measurement;
-    if (frame.planar || !m.facesSeen.seesSide()) return m;
-    const FaceSet below =
-        endsBelowView(m.box, sighting.sensor, frame.sensorZ - sighting.groundZ, frame.profile);
-    for (const Face end : kFaceAt[0])
-    {
-        if (!below.has(end)) continue;
-        m.facesSeen.remove(end);
-        m.hiddenEnds.add(end);
-    }
-    return m;
-}
-
 Measurement withRowsBetweenHiddenEnds(const Sighting& sighting)
 {
     Measurement m = sighting.measurement;

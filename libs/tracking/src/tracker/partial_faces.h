@@ -7,10 +7,6 @@
 
 namespace vdamf
 {
-/// The measurement of a sighting without the place of ends that are seen above their bonnet or boot
-/// only: beside a row along the side they tell none.
-Measurement withoutEndsBelowView(const Sighting& sighting, const SegmentedFrame& frame);
-
 /// The measurement of a sighting with a box that is as long, and as wide, as the row of hits along
 /// it where both ends are hidden: all that is known of them is that the row is between them.
 Measurement withRowsBetweenHiddenEnds(const Sighting& sighting);

@@ -231,7 +231,6 @@ Sighting sightingOf(const SegmentedFrame& frame, const std::vector<std::size_t>&
     m = withinRowOfSide(s, frame);
     if (seen.goesOn) m = goingOnTowards(m, *seen.goesOn);
 
-    m = withoutEndsBelowView(s, frame);
     m = withoutEndOfShortSide(s);
     m = withRowsBetweenHiddenEnds(s);
     m = withTurnOfSideLayers(s, seen);

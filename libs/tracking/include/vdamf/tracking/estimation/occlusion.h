@@ -36,10 +36,4 @@ FaceSet shadowEdges(const OrientedBox& box, FaceSet seen, const Eigen::Vector2d&
 Eigen::Vector2d placePastEnd(const OrientedBox& box, const Eigen::Vector2d& sensor, int axis,
                              int end, double metres);
 
-/// Front and rear of a box that lie so near to the sensor that its lowest ray passes above bonnets
-/// and boots: what is seen of them is a windscreen, and rows along the side end there.
-/// `sensorHeight`: over the ground that the vehicle stands on, m.
-FaceSet endsBelowView(const OrientedBox& box, const Eigen::Vector2d& sensor, double sensorHeight,
-                      const RangeProfile& profile);
-
 }  // namespace vdamf

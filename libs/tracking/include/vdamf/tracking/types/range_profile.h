@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What stands where around the sensor: the nearest hit by bearing; and how far down it looks.
+// What stands where around the sensor: the nearest hit by bearing.
 #pragma once
 
 #include <cstddef>
-#include <limits>
 #include <vector>
 
 namespace vdamf
@@ -16,8 +15,6 @@ struct RangeProfile
     /// The same of hits that are seen at or above each of some slopes (rise over run from the
     /// sensor), from the lowest one, one slope after the other; empty where heights are not known.
     std::vector<float> nearestAbove;  ///< m
-    /// Of the lowest ray, rise over run: what is near is seen above it only.
-    double lowestSlope = -std::numeric_limits<double>::infinity();
 
     /// In the sector of a bearing (rad, any turn); infinite for an empty profile.
     double at(double bearing) const;
