@@ -194,6 +194,12 @@ TEST_F(Confirmation, WaitsForMoreThanThePieceOfAVehicle)
     EXPECT_EQ(sightingsUntilConfirmed(piece, options_.lifecycle), 3);
     piece.state.mean(kLength) = 1.3;
     EXPECT_EQ(sightingsUntilConfirmed(piece, options_.lifecycle), 33);
+    Track whole = piece;
+    whole.told.length = true;
+    whole.state.covariance(kLength, kLength) = 0.1 * 0.1;
+    EXPECT_EQ(sightingsUntilConfirmed(whole, options_.lifecycle), 3) << "is as short";
+    whole.state.covariance(kLength, kLength) = 0.5 * 0.5;
+    EXPECT_EQ(sightingsUntilConfirmed(whole, options_.lifecycle), 33) << "may be longer";
     Track none = piece;
     none.judgement.probability = 0.01;
     EXPECT_EQ(sightingsUntilConfirmed(none, options_.lifecycle), 3);

@@ -48,11 +48,13 @@ bool isHardlySeen(const Track& track)
     return track.hits < 25;
 }
 
-// Whether it may be a vehicle, and is no longer than a piece of one.
+// Whether it may be a vehicle, and is no longer than a piece of one, as far as was told.
 bool isPiece(const Track& track)
 {
     constexpr double kMayBe = 0.1;  // probability
-    return !track.isFaceless && track.judgement.probability > kMayBe &&
+    constexpr double kTold = 0.3;   // m
+    const bool isTold = track.told.length && track.lengthSigma() < kTold;
+    return !track.isFaceless && track.judgement.probability > kMayBe && !isTold &&
            track.box().length < kShortestCar;
 }
 

@@ -99,9 +99,11 @@ Measurement withRowsBetweenHiddenEnds(const Sighting& sighting)
 
 Measurement withoutEndOfShortSide(const Sighting& sighting)
 {
+    constexpr double kMany = 60.0;  // hits: of those none are missing that would show more of it
     Measurement m = sighting.measurement;
     const bool isCars = m.facesSeen.seesEnd() && isCarsEnd(m.box.width, sighting.height);
-    if (isCars && locatesLength(m) && m.box.length < kShortestUsual)
+    const bool mayBeCut = sighting.side.hits < kMany;
+    if (isCars && mayBeCut && locatesLength(m) && m.box.length < kShortestUsual)
         m.hiddenEnds.add(m.facesSeen.has(Face::Front) ? Face::Back : Face::Front);
     return m;
 }
