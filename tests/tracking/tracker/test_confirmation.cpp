@@ -196,7 +196,7 @@ TEST_F(Confirmation, WaitsForMoreThanThePieceOfAVehicle)
     EXPECT_EQ(sightingsUntilConfirmed(piece, options_.lifecycle), 33);
     Track whole = piece;
     whole.told.length = true;
-    whole.state.covariance(kLength, kLength) = 0.1 * 0.1;
+    whole.state.covariance(kLength, kLength) = 0.05 * 0.05;
     EXPECT_EQ(sightingsUntilConfirmed(whole, options_.lifecycle), 3) << "is as short";
     whole.state.covariance(kLength, kLength) = 0.5 * 0.5;
     EXPECT_EQ(sightingsUntilConfirmed(whole, options_.lifecycle), 33) << "may be longer";

@@ -96,7 +96,7 @@ TEST(PartialFaces, ASideTooShortForACarDoesNotTellItsFarEnd)
     EXPECT_TRUE(withoutEndOfShortSide(rearAndSideSeen(3.0)).hiddenEnds.has(Face::Front));
     EXPECT_TRUE(withoutEndOfShortSide(rearAndSideSeen(3.9)).hiddenEnds.empty());
     Sighting many = rearAndSideSeen(3.0);
-    many.side.hits = 80.0;
+    many.side.hits = 300.0;
     EXPECT_TRUE(withoutEndOfShortSide(many).hiddenEnds.empty()) << "of a short car";
     // Beside an end that is no car's it is as long as it seems: of a motorcycle, or of a bush.
     for (const double width : {0.8, 2.6})

@@ -52,7 +52,7 @@ bool isHardlySeen(const Track& track)
 bool isPiece(const Track& track)
 {
     constexpr double kMayBe = 0.1;  // probability
-    constexpr double kTold = 0.3;   // m
+    constexpr double kTold = 0.1;   // m
     const bool isTold = track.told.length && track.lengthSigma() < kTold;
     return !track.isFaceless && track.judgement.probability > kMayBe && !isTold &&
            track.box().length < kShortestCar;

@@ -99,7 +99,7 @@ Measurement withRowsBetweenHiddenEnds(const Sighting& sighting)
 
 Measurement withoutEndOfShortSide(const Sighting& sighting)
 {
-    constexpr double kMany = 60.0;  // hits: of those none are missing that would show more of it
+    constexpr double kMany = 200.0;  // hits: of those none are missing that would show more of it
     Measurement m = sighting.measurement;
     const bool isCars = m.facesSeen.seesEnd() && isCarsEnd(m.box.width, sighting.height);
     const bool mayBeCut = sighting.side.hits < kMany;

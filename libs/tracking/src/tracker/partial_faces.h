@@ -13,7 +13,7 @@ Measurement withRowsBetweenHiddenEnds(const Sighting& sighting);
 
 /// The measurement of a sighting without the far end of a side that is too short for the car whose
 /// end is beside it: hits that are missing cut the row off, on a dark body or behind a wheel house.
-/// Rows of 60 hits and more end where the vehicle does; few cars are as short, but those are.
+/// Rows of 200 hits and more end where the vehicle does; few cars are as short, but those are.
 Measurement withoutEndOfShortSide(const Sighting& sighting);
 
 /// The measurement of a sighting, no longer than the row of hits on its side that has no wide gap,
