@@ -98,17 +98,15 @@ TEST(PartialFaces, ASideTooShortForACarDoesNotTellItsFarEnd)
     Sighting many = rearAndSideSeen(3.0);
     many.side.hits = 300.0;
     EXPECT_TRUE(withoutEndOfShortSide(many).hiddenEnds.empty()) << "of a short car";
-    // Beside an end that is no car's it is as long as it seems: of a motorcycle, or of a bush.
-    for (const double width : {0.8, 2.6})
+    for (const double width : {0.8, 2.6})  // ends of a motorcycle, or of a bush
     {
         Sighting other = rearAndSideSeen(3.0);
         other.measurement.box.width = width;
         EXPECT_TRUE(withoutEndOfShortSide(other).hiddenEnds.empty()) << width;
     }
-    // A side alone may be one of anything.
     Sighting cut = rearAndSideSeen(3.0);
     cut.measurement.facesSeen.remove(Face::Back);
-    EXPECT_TRUE(withoutEndOfShortSide(cut).hiddenEnds.empty());
+    EXPECT_TRUE(withoutEndOfShortSide(cut).hiddenEnds.empty()) << "a side of anything";
 }
 
 TEST(PartialFaces, ASideTooLongForACarEndsAtItsGap)
