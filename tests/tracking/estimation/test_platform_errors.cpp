@@ -123,9 +123,13 @@ TEST(PlatformErrors, OfTheHeadingAloneAreToldToo)
     std::mt19937 random(8);
     std::normal_distribution<double> gauss;
     PlatformErrors errors{AlignmentOptions()};
+    PlaneMotion turned;
     for (int frame = 0; frame < 10; ++frame)
-        errors.after(seenAfterMotion({0.006 * gauss(random), {}}, random), kFrameTime);
-    const PlaneMotion turned{0.006, {}};
+    {
+        turned.turn = 0.006 * gauss(random);
+        errors.after(seenAfterMotion(turned, random), kFrameTime);
+    }
+    turned.turn = 0.006;
     const auto found = errors.after(seenAfterMotion(turned, random), kFrameTime);
     ASSERT_TRUE(found);
     EXPECT_NEAR(found->motion.turn, turned.turn, 0.003);
