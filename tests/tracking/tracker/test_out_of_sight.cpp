@@ -69,6 +69,15 @@ std::vector<std::uint64_t> goingOnAfter(const Track& missed, double time, const 
     return goingOn(outOfSight.withReturns({found}, time));
 }
 
+// The same where it is still waited for.
+std::vector<Track> withEndedOneBeside(Track missed, const Track& found)
+{
+    OutOfSight outOfSight(kLongest);
+    outOfSight.withReturns({missed}, 1.0);
+    missed.misses = 36;
+    return outOfSight.withReturns({missed, found}, 4.5);
+}
+
 using Ids = std::vector<std::uint64_t>;
 
 TEST(OutOfSight, WhatComesBackAfterABendIsTheSameVehicle)
@@ -138,6 +147,9 @@ TEST(OutOfSight, OnlyOneOfWhichNobodyWasTold)
     Track found = foundAt(4.5, 7);
     found.wasPublished = true;
     EXPECT_EQ(goingOnAfter(missed, 4.5, found), (Ids{7}));
+    found = foundAt(4.5, 7);
+    found.status = TrackStatus::Ended;
+    EXPECT_EQ(goingOn(withEndedOneBeside(missed, found)), (Ids{1})) << "was another one's";
     found = foundAt(4.5, 7);
     found.firstSeen = 0.5;
     EXPECT_EQ(goingOnAfter(missed, 4.5, found), (Ids{7})) << "was there before";

@@ -54,9 +54,9 @@ Bend bendBetween(const OrientedBox& from, const OrientedBox& to)
 // Nobody was told of it yet, and it is known how it drives.
 bool mayHaveComeBack(const Track& track)
 {
-    return !track.wasPublished && track.misses == 0 && !track.isFaceless &&
-           track.judgement.probability > kLikelyVehicle && track.state.mean(kSpeed) > kDrives &&
-           track.front.forwardProbability() > kSureOfFront &&
+    return !track.wasPublished && track.status != TrackStatus::Ended && track.misses == 0 &&
+           !track.isFaceless && track.judgement.probability > kLikelyVehicle &&
+           track.state.mean(kSpeed) > kDrives && track.front.forwardProbability() > kSureOfFront &&
            track.front.axesProbability() > kSureOfFront;
 }
 
