@@ -2,7 +2,10 @@
 #include "tracker/worker_pool.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
+#include <cstdio>
+#include <cstdlib>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -45,6 +48,29 @@ TEST(WorkerPool, WorkersHaveNumbersOfTheirOwn)
     for (const auto& ids : threads)
         for (const std::thread::id& id : ids) EXPECT_EQ(id, ids.front());
 }
+
+#ifndef __SANITIZE_ADDRESS__
+// In a process of its own whose memory has room for a few stacks.
+TEST(WorkerPool, TellsOfThreadsThatDoNotStart)
+{
+    testing::GTEST_FLAG(death_test_style) = "threadsafe";
+    const auto start = []
+    {
+        const rlimit little{std::size_t{1} << 30U, std::size_t{1} << 30U};
+        setrlimit(RLIMIT_AS, &little);
+        try
+        {
+            const WorkerPool pool(4096);
+        }
+        catch (const std::runtime_error& error)
+        {
+            std::fprintf(stderr, "%s\n", error.what());
+            std::_Exit(3);
+        }
+    };
+    EXPECT_EXIT(start(), testing::ExitedWithCode(3), "of 4096 threads");
+}
+#endif
 
 TEST(WorkerPool, ThrowsOnTheFirstItemsException)
 {

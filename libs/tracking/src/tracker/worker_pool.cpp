@@ -2,6 +2,9 @@
 #include "tracker/worker_pool.h"
 
 #include <algorithm>
+#include <stdexcept>
+#include <string>
+#include <system_error>
 
 namespace vdamf
 {
@@ -11,11 +14,26 @@ WorkerPool::WorkerPool(int threads)
                                 ? static_cast<std::size_t>(threads)
                                 : std::max<std::size_t>(1, std::thread::hardware_concurrency());
     others_.reserve(all - 1);
-    for (std::size_t worker = 1; worker < all; ++worker)
-        others_.emplace_back([this, worker] { serve(worker); });
+    try
+    {
+        for (std::size_t worker = 1; worker < all; ++worker)
+            others_.emplace_back([this, worker] { serve(worker); });
+    }
+    catch (const std::system_error& error)
+    {
+        const std::size_t started = size();
+        endOthers();
+        throw std::runtime_error("the machine starts " + std::to_string(started) + " of " +
+                                 std::to_string(all) + " threads: " + error.what());
+    }
 }
 
 WorkerPool::~WorkerPool()
+{
+    endOthers();
+}
+
+void WorkerPool::endOthers()
 {
     {
         const std::lock_guard<std::mutex> lock(mutex_);

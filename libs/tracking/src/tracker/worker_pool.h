@@ -18,7 +18,8 @@ namespace vdamf
 class WorkerPool
 {
 public:
-    /// `threads` counts the caller's own; 0: as many as the machine has processors.
+    /// `threads` counts the caller's own; 0: as many as the machine has processors. Throws
+    /// std::runtime_error with their numbers where it starts fewer.
     explicit WorkerPool(int threads);
     ~WorkerPool();
     WorkerPool(const WorkerPool&) = delete;
@@ -33,6 +34,7 @@ public:
 
 private:
     using Work = std::function<void(std::size_t, std::size_t)>;
+    void endOthers();
     void serve(std::size_t worker);
     void takeItems(std::size_t worker);
 
