@@ -52,6 +52,7 @@ TEST(Duplicates, ANewBoxOfALostVehicleTakesItsIdentity)
 {
     Track lost = trackAt(1, 10.0, 1);
     lost.status = TrackStatus::Coasting;
+    lost.wasPublished = true;
     lost.judgement.probability = 0.9;
     Track fresh = trackAt(5, 11.0);
     fresh.status = TrackStatus::Tentative;
@@ -63,8 +64,10 @@ TEST(Duplicates, ANewBoxOfALostVehicleTakesItsIdentity)
     EXPECT_EQ(tracks[0].id, 1u);
     EXPECT_EQ(tracks[0].state.mean(kX), 11.0);
     EXPECT_EQ(tracks[0].status, TrackStatus::Tentative);
+    EXPECT_TRUE(tracks[0].wasPublished);
     EXPECT_EQ(tracks[1].id, 5u);
     EXPECT_EQ(tracks[1].status, TrackStatus::Ended);
+    EXPECT_FALSE(tracks[1].wasPublished);
     fresh.judgement.probability = 0.2;
     EXPECT_EQ(goingOn({lost, fresh}), (Ids{5})) << "may be no vehicle";
     fresh.judgement.probability = 0.9;

@@ -63,6 +63,7 @@ std::vector<Track> withDuplicatesEnded(std::vector<Track> tracks, std::vector<Or
             {
                 std::swap(tracks[j], tracks[k]);
                 std::swap(tracks[j].id, tracks[k].id);
+                std::swap(tracks[j].wasPublished, tracks[k].wasPublished);
                 std::swap(extents[j], extents[k]);
                 tracks[j].status = TrackStatus::Ended;
                 continue;
