@@ -135,6 +135,52 @@ TEST(Alignment, ErrorsThatNothingTellsAnyMoreAreNoSpeed)
     EXPECT_LT(std::sqrt(squares / seen), 0.1) << "m/s";
 }
 
+// The platform and the cars stand for minutes, and poses err by 10 cm.
+TEST(Alignment, ItsErrorDoesNotGrowWithoutEnd)
+{
+    AlignmentOptions options;
+    Alignment alignment(options);
+    Track car;
+    car.stoodProbability = 0.9;
+    car.sightings = 5;
+    for (VehicleState* state : {&car.state, &car.hypotheses->standing})
+    {
+        state->mean << 12.0, -4.0, 0.0, 0.0, 0.0, 1.0, 4.4;
+        state->covariance = 1e-4 * StateMatrix::Identity();
+        state->width = 1.8;
+        state->widthVariance = 1e-4;
+    }
+    Track other = car;
+    for (VehicleState* state : {&other.state, &other.hypotheses->standing})
+        state->mean.head<2>() << 20.0, -5.0;
+    std::mt19937 random(13);
+    std::normal_distribution<double> gauss;
+    const auto sightingOfTrack = [](const Track& track, const Eigen::Vector2d& off)
+    {
+        Sighting seen;
+        seen.measurement.box = track.box();
+        seen.measurement.box.x += off.x();
+        seen.measurement.box.y += off.y();
+        seen.measurement.covariance = 1e-4 * Matrix5d::Identity();
+        for (const Face face : {Face::Back, Face::Left}) seen.measurement.facesSeen.add(face);
+        return seen;
+    };
+    TrackReport report;
+    report.box = car.box();
+    std::vector<double> sigmas;
+    for (int k = 0; k < 12000; ++k)
+    {
+        alignment.goOn({0.0, 0.0}, 0.1 * k);
+        const Eigen::Vector2d off(0.1 * gauss(random), 0.1 * gauss(random));
+        alignment.motionOf({car, other}, {sightingOfTrack(car, off), sightingOfTrack(other, off)},
+                           {});
+        if (k % 3000 == 2999)
+            sigmas.push_back(std::sqrt(alignment.aligned(report, {0.0, 0.0}).covariance(0, 0)));
+    }
+    EXPECT_GT(sigmas.front(), 0.0);
+    EXPECT_LT(sigmas[3], 1.05 * sigmas[1]) << "after 20 minutes as after 10";
+}
+
 TEST(Alignment, MovesReportsAndTellsThatTheyAreLessSure)
 {
     Alignment alignment{AlignmentOptions()};

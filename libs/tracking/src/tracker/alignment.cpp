@@ -81,7 +81,7 @@ void Alignment::goOn(const Eigen::Vector2d& by, double time)
     motion_.turn *= kept;
     motion_.shift *= kept;
     const Eigen::Matrix3d j = byMotion(by);
-    covariance_ = j * covariance_ * j.transpose();
+    covariance_ = kept * kept * (j * covariance_ * j.transpose());
 }
 
 std::optional<EstimatedMotion> Alignment::motionOf(
