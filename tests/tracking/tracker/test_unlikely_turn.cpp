@@ -68,18 +68,32 @@ TEST(UnlikelyTurn, AcrossOfAxesThatAreKnownIsAnotherFace)
 {
     for (const double turn : {-1.45, 1.45})
     {
-        const Measurement front = turnedAbout(turn, 0.17, Face::Left);
-        const Measurement m = withKnownAxes(front, heading(0.0, 0.07), 0.99);
+        Sighting seen;
+        seen.measurement = turnedAbout(turn, 0.17, Face::Left);
+        seen.around = {10.0, 0.1, turn, 1.5, 0.3};
+        seen.side.metres = 1.5;
+        seen.end.metres = 0.3;
+        seen.front = 2.0;
+        const auto next = turnedToKnownAxes(seen, heading(0.0, 0.07), 0.99);
+        ASSERT_TRUE(next);
+        const Measurement& m = next->measurement;
         EXPECT_NEAR(m.box.heading, turn - std::copysign(0.5 * kPi, turn), 1e-12);
-        EXPECT_EQ(m.box.length, front.box.width);
-        EXPECT_EQ(m.box.width, front.box.length);
+        EXPECT_EQ(m.box.length, seen.measurement.box.width);
+        EXPECT_EQ(m.box.width, seen.measurement.box.length);
         EXPECT_EQ(m.facesSeen.has(Face::Front), turn < 0.0);
         EXPECT_EQ(m.facesSeen.has(Face::Back), turn > 0.0);
-        EXPECT_EQ(withKnownAxes(front, heading(0.0, 0.07), 0.9).box.heading, turn) << "axes";
-        EXPECT_EQ(withKnownAxes(front, heading(0.0, 0.3), 0.99).box.heading, turn) << "heading";
+        EXPECT_EQ(next->end.metres, 1.5) << "the row of hits goes with its face";
+        EXPECT_EQ(next->side.metres, 0.3);
+        EXPECT_NEAR(next->around.heading, m.box.heading, 1e-12);
+        EXPECT_EQ(next->around.length, 0.3);
+        EXPECT_EQ(next->around.width, 1.5);
+        EXPECT_EQ(next->front, 0.0) << "the shape of another end";
+        EXPECT_FALSE(turnedToKnownAxes(seen, heading(0.0, 0.07), 0.9)) << "axes";
+        EXPECT_FALSE(turnedToKnownAxes(seen, heading(0.0, 0.3), 0.99)) << "heading";
     }
-    const Measurement turning = turnedAbout(0.7, 0.17, Face::Left);
-    EXPECT_EQ(withKnownAxes(turning, heading(0.0, 0.07), 0.99).box.heading, 0.7);
+    Sighting turning;
+    turning.measurement = turnedAbout(0.7, 0.17, Face::Left);
+    EXPECT_FALSE(turnedToKnownAxes(turning, heading(0.0, 0.07), 0.99));
 }
 
 }  // namespace

@@ -86,6 +86,9 @@ Track startedOn(const Way& way, Track track, const Sighting& sighting, const Mot
     track.hypotheses->standingProbability = kStands;
     track.front = withWay({}, way, way.direction, kTelling);
     track.jitter = {};
+    track.told = {};
+    track.errors = {};
+    track.assumedLength.reset();
     track.isFaceless = true;
     return track;
 }

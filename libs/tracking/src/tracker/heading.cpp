@@ -7,16 +7,13 @@
 #include <vector>
 
 #include "tracker/neighbourhood.h"
+#include "tracker/steady_course.h"
 #include "tracker/track.h"
-#include "types/box_extent.h"
 
 namespace vdamf
 {
 namespace
 {
-constexpr double kCourseDistance = 1.5;  // m: beyond what measurement noise could feign
-constexpr double kCourseSpeed = 0.5;     // m/s
-constexpr double kLeastShare = 0.5;      // of the mean speed, in each half of a steady course
 // Log odds from which on length and width are exchanged, of young tracks (and for what lasts) and
 // of others, and front and rear, but where the shape of young ones tells them.
 constexpr double kLikely = 0.5;
@@ -24,77 +21,6 @@ constexpr double kDecisive = 3.0;
 constexpr double kLikelyFront = 2.5;
 constexpr int kYoung = 10;    // sightings
 constexpr int kLasting = 10;  // of them
-
-// Straight displacement over some of the path.
-struct Course
-{
-    double direction = 0.0;  // rad
-    double distance = 0.0;   // m
-    double duration = 0.0;   // s
-
-    // Speed along a heading, m/s.
-    double speedAlong(double heading) const
-    {
-        return duration > 0.0 ? distance / duration * directionOf(direction - heading).cos : 0.0;
-    }
-};
-
-// How far a box has moved along a direction (m): as far as that one of its two faces there that has
-// moved less. The centre of a box that grows as more of it is seen moves as well, but only one face
-// does.
-double movedAlong(double direction, const OrientedBox& from, const OrientedBox& to)
-{
-    const Eigen::Vector2d axis = rotation(direction).col(0);
-    const double centre = axis.dot(to.centre() - from.centre());
-    const double growth = halfAlong(to, direction) - halfAlong(from, direction);
-    return std::copysign(std::max(0.0, std::abs(centre) - std::abs(growth)), centre);
-}
-
-Course courseBetween(const PathPoint& from, const PathPoint& to)
-{
-    Eigen::Vector2d move = Eigen::Vector2d::Zero();
-    for (int axis = 0; axis < 2; ++axis)
-    {
-        // With neither face in view, what hides them may be what moves.
-        if (!from.located.seesAcross(axis) || !to.located.seesAcross(axis)) continue;
-        move(axis) = movedAlong(to.box.heading + 0.5 * kPi * axis, from.box, to.box);
-    }
-    return {to.box.heading + std::atan2(move.y(), move.x()), move.norm(), to.time - from.time};
-}
-
-// The course of a track that goes on steadily, over the last second, less if it is fast and more if
-// it is slow, as long as it takes to tell: both halves of the path lead the same way.
-std::optional<Course> steadyCourse(const Track& track)
-{
-    constexpr double kLeastTime = 1.0;  // s
-    constexpr double kFar = 5.0;        // m
-    if (track.path.size() < 3) return std::nullopt;
-    const PathPoint& last = track.path.back();
-    std::size_t first = track.path.size();
-    Course all;
-    const auto tells = [&] {
-        return all.distance >= kFar ||
-               (all.distance >= kCourseDistance && all.duration >= kLeastTime);
-    };
-    while (first > 0 && !tells())
-    {
-        const PathPoint& from = track.path[--first];
-        // No course is longer than the way between the centres.
-        const double far = last.time - from.time < kLeastTime && first > 0 ? kFar : kCourseDistance;
-        const bool mayTell = (last.box.centre() - from.box.centre()).squaredNorm() >= far * far;
-        all = mayTell ? courseBetween(from, last) : Course();
-    }
-    if (all.distance < kCourseDistance || all.distance < kCourseSpeed * all.duration)
-        return std::nullopt;
-    const PathPoint& middle = track.path[(first + track.path.size()) / 2];
-    for (const Course& half :
-         {courseBetween(track.path[first], middle), courseBetween(middle, last)})
-    {
-        const double along = half.speedAlong(all.direction) * all.duration / all.distance;
-        if (along < kLeastShare) return std::nullopt;
-    }
-    return all;
-}
 
 // Log odds, by the shape, for a front held so far clockwise from where the measured heading points.
 double shapeCue(const Sighting& sighting, double turned)
@@ -193,6 +119,7 @@ Track quarterTurned(const Track& track, const Sighting& sighting, int quarters,
     next.measurement = fresh.measurement;
     next.told = fresh.told;
     next.errors = fresh.errors;
+    next.busRears = fresh.busRears;
     next.around = fresh.around;
     next.assumedLength = fresh.assumedLength;
     *next.hypotheses = hypothesesFrom(next.state, options.motion);
@@ -228,6 +155,7 @@ Track reversed(const Track& track, const MotionOptions& motion)
     next.state = next.hypotheses->combined(motion);
     next.measurement = alignedWith(*track.measurement, next.state.mean(kHeading));
     next.errors.fixedPoint = -track.errors.fixedPoint;
+    next.busRears = 0;
     next.around.x = -track.around.x;
     next.around.y = -track.around.y;
     return next;

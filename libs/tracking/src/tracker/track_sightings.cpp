@@ -222,13 +222,17 @@ Track startedTrack(std::uint64_t id, const Sighting& sighting, const StartSpeed&
     return track;
 }
 
-Track sightedTrack(Track track, const Sighting& sighting, const Neighbourhood& around,
+Track sightedTrack(Track track, const Sighting& seen, const Neighbourhood& around,
                    VehicleKalmanFilter& filter, const TrackerOptions& options)
 {
     const VisibilityOptions& visibility = options.visibility;
-    const VehicleState foretold = stateAt(track.state, sighting.lag, options.motion);
-    Measurement m = withKnownAxes(alignedWith(sighting.measurement, foretold.mean(kHeading)),
-                                  foretold, track.front.axesProbability());
+    const VehicleState foretold = stateAt(track.state, seen.lag, options.motion);
+    constexpr double kHardly = 0.1;  // probability: what is no vehicle has no axes to be known
+    std::optional<Sighting> turned;
+    if (track.judgement.probability > kHardly)
+        turned = turnedToKnownAxes(seen, foretold, track.front.axesProbability());
+    const Sighting& sighting = turned ? *turned : seen;
+    Measurement m = alignedWith(sighting.measurement, foretold.mean(kHeading));
     track = withShownHeading(std::move(track), m, sighting.sensor);
     if (track.shownHeading)
         m = turnedBack(turnedTowards(*track.shownHeading, m, sighting.around.centre()), track.state,

@@ -2,23 +2,33 @@
 #include "tracker/unlikely_turn.h"
 
 #include <cmath>
+#include <utility>
 
 #include "types/box_changes.h"
 #include "vdamf/tracking/estimation/visibility.h"
 
 namespace vdamf
 {
-Measurement withKnownAxes(const Measurement& measurement, const VehicleState& foretold,
-                          double axesProbability)
+std::optional<Sighting> turnedToKnownAxes(const Sighting& sighting, const VehicleState& foretold,
+                                          double axesProbability)
 {
     constexpr double kSure = 0.98;    // probability
     constexpr double kTurning = 0.2;  // rad
     constexpr double kAcross = 1.0;   // rad
-    const double turned = wrapAngle(measurement.box.heading - foretold.mean(kHeading));
     const bool isKnown =
         axesProbability > kSure && foretold.covariance(kHeading, kHeading) < kTurning * kTurning;
-    if (!isKnown || std::abs(turned) < kAcross) return measurement;
-    return turnedBy(measurement, turned > 0.0 ? 3 : 1);
+    if (!isKnown) return std::nullopt;
+    const Measurement m = alignedWith(sighting.measurement, foretold.mean(kHeading));
+    const double turned = wrapAngle(m.box.heading - foretold.mean(kHeading));
+    if (std::abs(turned) < kAcross) return std::nullopt;
+    Sighting next = sighting;
+    next.measurement = turnedBy(m, turned > 0.0 ? 3 : 1);
+    next.around.heading = wrapAngle(next.around.heading + next.measurement.box.heading -
+                                    sighting.measurement.box.heading);
+    std::swap(next.around.length, next.around.width);
+    std::swap(next.side, next.end);
+    next.front = 0.0;
+    return next;
 }
 
 Measurement withUnlikelyTurn(const Measurement& measurement, const VehicleState& foretold,

@@ -3,18 +3,20 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 
+#include "tracker/sighting.h"
 #include "vdamf/tracking/types/measurement.h"
 #include "vdamf/tracking/types/vehicle_state.h"
 
 namespace vdamf
 {
 /// A face that seems to lie across of how the vehicle is foretold, where it is known well which way
-/// it lies, is another one of its faces: length and width of the measurement are exchanged. That of
-/// few hits of a front was taken for a side 2.6 m long, and turned a car by a quarter.
-/// `axesProbability`: that length and width of what is foretold are not exchanged.
-Measurement withKnownAxes(const Measurement& measurement, const VehicleState& foretold,
-                          double axesProbability);
+/// it lies, is another one of its faces: the sighting with length and width exchanged, and nothing
+/// where it does not. Few hits of a front were taken for a side 2.6 m long, and turned a car by a
+/// quarter. `axesProbability`: that length and width of what is foretold are not exchanged.
+std::optional<Sighting> turnedToKnownAxes(const Sighting& sighting, const VehicleState& foretold,
+                                          double axesProbability);
 
 /// The measurement with its heading as uncertain as that makes it: of an end alone no row of hits
 /// tells the heading as well as a vehicle keeps its own, and what seems to turn more than both may
