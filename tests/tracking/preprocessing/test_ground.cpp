@@ -207,6 +207,19 @@ TEST(RemoveGround, DropsHitsThatAreNotFiniteOrOutOfRange)
     EXPECT_EQ(after.height, before.height);
 }
 
+TEST(RemoveGround, DropsHitsWhoseTimesAreNotFinite)
+{
+    LadarFrame frame;
+    frame.planar = true;
+    frame.points.x = {5.0F, 5.0F, 5.0F, 5.0F};
+    frame.points.y = {1.0F, 2.0F, 3.0F, 4.0F};
+    frame.points.z = {0.0F, 0.0F, 0.0F, 0.0F};
+    EXPECT_EQ(removeGround(frame, {}).index.size(), 4U);
+    frame.points.time = {0.0F, std::numeric_limits<float>::quiet_NaN(), -0.05F,
+                         std::numeric_limits<float>::infinity()};
+    EXPECT_THAT(removeGround(frame, {}).index, testing::ElementsAre(0U, 2U));
+}
+
 TEST(RemoveGround, KeepsTheOrderOfTheFrame)
 {
     const MadeScan scan =

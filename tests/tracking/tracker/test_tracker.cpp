@@ -164,11 +164,52 @@ TEST(Tracker, RefusesTimeThatGoesBackAndBadOptions)
     EXPECT_THROW(tracker.process(frame), std::invalid_argument);
     frame.time = std::nan("");
     EXPECT_THROW(tracker.process(frame), std::invalid_argument);
+    frame.time = 6.0;
+    frame.origin.y() = std::nan("");
+    EXPECT_THROW(tracker.process(frame), std::invalid_argument);
+    frame.origin.y() = 0.0;
+    frame.sensor.x() = std::numeric_limits<double>::infinity();
+    EXPECT_THROW(tracker.process(frame), std::invalid_argument);
+    frame.sensor.x() = 0.0;
+    EXPECT_NO_THROW(tracker.process(frame)) << "what was refused changed nothing";
     TrackerOptions bad;
     bad.lifecycle.minHits = -1;
     bad.measurement.sigma = 99.0;
     EXPECT_EQ(bad.problems().size(), 2U);
     EXPECT_THROW(Tracker{bad}, std::invalid_argument);
+}
+
+TEST(Tracker, AfterAGapNothingIsKnownAgain)
+{
+    for (const double gap : {1.5, 20.0, 1e5})
+    {
+        Tracker tracker{optionsForBoxes()};
+        FrameResult before;
+        double time = 0.0;
+        for (int k = 0; k < 15; ++k)
+            before = tracker.process(
+                exampleFrame(time += 0.1, {0.0, 0.0}, {carBody(15.0, 2.0, 0.4)}, 3U + unsigned(k)));
+        ASSERT_EQ(before.tracks.size(), 1U);
+        time += gap;
+        const FrameResult after =
+            tracker.process(exampleFrame(time, {0.0, 0.0}, {carBody(15.0, 2.0, 0.4)}, 30U));
+        if (gap < 2.0)
+        {
+            ASSERT_EQ(after.tracks.size(), 1U) << gap;
+            EXPECT_EQ(after.tracks[0].id, before.tracks[0].id);
+            continue;
+        }
+        ASSERT_EQ(after.tracks.size(), 2U) << gap;
+        EXPECT_EQ(after.tracks[0].id, before.tracks[0].id);
+        EXPECT_EQ(after.tracks[0].status, TrackStatus::Ended);
+        EXPECT_EQ(after.tracks[0].points, 0);
+        EXPECT_EQ(after.tracks[0].box.x, before.tracks[0].box.x);
+        EXPECT_GT(after.tracks[1].id, before.tracks[0].id);
+        EXPECT_TRUE(after.tracks[1].covariance.allFinite());
+        EXPECT_LT(after.tracks[1].covariance(0, 0), 1.0);
+        EXPECT_EQ(tracker.process(exampleFrame(time + 0.1, {0.0, 0.0}, {}, 31U)).tracks.size(), 1U)
+            << "it is told once that a track has ended";
+    }
 }
 
 TEST(Tracker, NamesItsStagesInOrder)

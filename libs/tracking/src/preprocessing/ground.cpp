@@ -52,6 +52,15 @@ struct Block
             }
         });
     }
+
+    // Those whose times (s) are finite; there are at least as many as in the block.
+    void keepTimed(const float* times, std::size_t size)
+    {
+        inWideLanes([ =, keep = kept.data() ]() __attribute__((always_inline)) {
+            VDAMF_INDEPENDENT_LANES
+            for (std::size_t i = 0; i < size; ++i) keep[i] &= times[i] - times[i] == 0.0F ? 1U : 0U;
+        });
+    }
 };
 
 AboveGround hitsBetween(const GroundSurface& surface, const PolarHits& hits,
@@ -66,6 +75,7 @@ AboveGround hitsBetween(const GroundSurface& surface, const PolarHits& hits,
     {
         const std::size_t size = std::min(Block::kSize, points.size() - begin);
         block.measure(surface, hits, points, begin, size, minHeight, maxHeight);
+        if (!points.time.empty()) block.keepTimed(points.time.data() + begin, size);
         std::size_t kept = 0;
         for (std::size_t i = 0; i < size; ++i)
         {

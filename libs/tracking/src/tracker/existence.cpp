@@ -155,7 +155,8 @@ Track withHit(Track track, double time, const LifecycleOptions& options)
     ++track.sightings;
     track.misses = 0;
     track.lastSeen = time;
-    const double odds = oddsOf(track.existence) * options.hitProbability / kFalseHits;
+    const double odds =
+        oddsOf(track.existence) * std::max(1.0, options.hitProbability / kFalseHits);
     track.existence = std::min(kSurest, probabilityOf(odds));
     return track;
 }
@@ -192,6 +193,16 @@ Track withMiss(Track track, const OpenView& view, const Unseen& unseen,
                         variance > kVaguest * kVaguest;
     if (track.status == TrackStatus::Confirmed) track.status = TrackStatus::Coasting;
     if (isLost) track.status = TrackStatus::Ended;
+    return track;
+}
+
+Track endedUnseen(Track track)
+{
+    track.status = TrackStatus::Ended;
+    track.hits = 0;
+    track.measurement.reset();
+    track.nis.reset();
+    track.judgement.features.clear();
     return track;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "tracker/attention.h"
 #include "tracker/existence.h"
 
 namespace vdamf
@@ -26,6 +27,15 @@ bool isWhereItWas(const Track& track, const SegmentedFrame& frame,
     if (track.misses > 0 || !track.stood()) return false;
     const OrientedBox before = track.boxOfHits();
     return haveSameEnds(before, rectangleAround(*hitsOf(frame, clusters), before.heading));
+}
+
+bool isGlanceEnough(const Track& track, const SegmentedFrame& frame,
+                    const std::vector<std::size_t>& clusters, const Discriminator& discriminator,
+                    const DiscriminatorOptions& options)
+{
+    // Features are asked for to learn from: all of them.
+    return !options.keepFeatures && isPassedOver(track, discriminator) &&
+           isWhereItWas(track, frame, clusters);
 }
 
 Track glancedTrack(Track track, const SegmentedFrame& frame,

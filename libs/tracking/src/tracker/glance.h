@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "tracker/discriminate.h"
 #include "tracker/sighting.h"
 #include "tracker/track.h"
 
@@ -15,6 +16,11 @@ namespace vdamf
 /// if not, it has to be measured.
 bool isWhereItWas(const Track& track, const SegmentedFrame& frame,
                   const std::vector<std::size_t>& clusters);
+
+/// Whether that is all that has to be known of the track in this frame.
+bool isGlanceEnough(const Track& track, const SegmentedFrame& frame,
+                    const std::vector<std::size_t>& clusters, const Discriminator& discriminator,
+                    const DiscriminatorOptions& options);
 
 /// The track after a frame in which that holds. It stands as likely as before the frame, and no
 /// frame tells where more sharply than was foretold.

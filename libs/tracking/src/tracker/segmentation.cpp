@@ -28,4 +28,13 @@ SegmentedFrame segmentedFrame(const LadarFrame& frame, const AboveGround& above,
     return s;
 }
 
+SegmentedFrame withHits(SegmentedFrame frame, const MeasureOptions& options, WorkerPool& workers)
+{
+    frame.hits.resize(frame.clusters.size());
+    workers.forEach(
+        frame.clusters.size(), [&](std::size_t i, std::size_t)
+        { frame.hits[i] = projected(frame.clusters[i], options.mergeCell, frame.planar); });
+    return frame;
+}
+
 }  // namespace vdamf

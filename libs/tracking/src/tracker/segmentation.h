@@ -4,6 +4,7 @@
 
 #include "tracker/field_of_view.h"
 #include "tracker/sighting.h"
+#include "tracker/worker_pool.h"
 #include "vdamf/tracking/preprocessing/clustering.h"
 #include "vdamf/tracking/preprocessing/ground.h"
 #include "vdamf/tracking/types/point_cloud.h"
@@ -14,5 +15,8 @@ namespace vdamf
 /// not projected yet.
 SegmentedFrame segmentedFrame(const LadarFrame& frame, const AboveGround& above,
                               const FieldOfView& view, ClusterOptions options);
+
+/// The frame with the hits of all its clusters projected.
+SegmentedFrame withHits(SegmentedFrame frame, const MeasureOptions& options, WorkerPool& workers);
 
 }  // namespace vdamf

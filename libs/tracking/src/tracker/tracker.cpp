@@ -13,6 +13,7 @@
 #include "tracker/existence.h"
 #include "tracker/expected_sighting.h"
 #include "tracker/glance.h"
+#include "tracker/loose_clusters.h"
 #include "tracker/neighbourhood.h"
 #include "tracker/new_sightings.h"
 #include "tracker/out_of_sight.h"
@@ -26,6 +27,17 @@
 
 namespace vdamf
 {
+namespace
+{
+void refuseBad(const LadarFrame& frame, const std::optional<double>& before)
+{
+    if (!std::isfinite(frame.time) || (before && frame.time <= *before))
+        throw std::invalid_argument("frames must come in order of time");
+    if (!frame.origin.allFinite() || !frame.sensor.allFinite())
+        throw std::invalid_argument("origin and sensor of a frame must be finite");
+}
+}  // namespace
+
 class Tracker::Impl
 {
 public:
@@ -42,24 +54,25 @@ public:
 
     FrameResult process(const LadarFrame& frame)
     {
-        if (!std::isfinite(frame.time) || (time_ && frame.time <= *time_))
-            throw std::invalid_argument("frames must come in order of time");
+        refuseBad(frame, time_);
         const FieldOfView view(frame);
         enter(Stage::Ground);
         const AboveGround above = removeGround(frame, options_.ground);
         enter(Stage::Clustering);
         SegmentedFrame segmented = segmentedFrame(frame, above, view, options_.clustering);
         enter(Stage::Prediction);
+        std::vector<TrackReport> lost = lostOverGap(frame.time);
         predictTracks(frame);
         enter(Stage::Association);
         const std::vector<PredictedTarget> predicted = predictedTargets(tracks_, discriminator_);
         const Neighbourhood around(tracks_, discriminator_);
-        segmented = withHits(
-            withVehiclesCutOut(std::move(segmented), predicted, around, discriminator_, options_));
+        segmented = withVehiclesCutOut(std::move(segmented), predicted, around, discriminator_,
+                                       options_);
+        segmented = withHits(std::move(segmented), options_.measurement, workers_);
         segmented = withSharedClustersCut(std::move(segmented), predicted, options_);
         auto assignment =
             assignClusters(predicted, segmented.hits, options_.association, segmented.isVehicle);
-        assignment = withLooseHits(std::move(assignment), segmented, predicted);
+        assignment = withLooseHits(std::move(assignment), segmented, predicted, options_);
         enter(Stage::Measurement);
         auto sightings = measureTracks(segmented, assignment);
         enter(Stage::Update);
@@ -72,7 +85,7 @@ public:
         const std::vector<OrientedBox> extents = discriminator_.extentsOf(tracks_);
         tracks_ = withDuplicatesEnded(std::move(tracks_), extents);
         tracks_ = outOfSight_.withReturns(std::move(tracks_), frame.time);
-        FrameResult result = reportFrame(frame, segmented);
+        FrameResult result = reportFrame(frame, segmented, std::move(lost));
         tracks_ = withoutEnded(std::move(tracks_));
         if (observer_) observer_(nullptr);
         return result;
@@ -86,30 +99,20 @@ private:
         if (observer_) observer_(&stage);
     }
 
-    SegmentedFrame withHits(SegmentedFrame s)
+    // Nothing is known again after a time that is longer than any vehicle is waited for: all tracks
+    // end as they were.
+    std::vector<TrackReport> lostOverGap(double time)
     {
-        s.hits.resize(s.clusters.size());
-        workers_.forEach(
-            s.clusters.size(), [&](std::size_t i, std::size_t)
-            { s.hits[i] = projected(s.clusters[i], options_.measurement.mergeCell, s.planar); });
-        return s;
-    }
-
-    // Each track's loose hits are a cluster more.
-    std::vector<std::vector<std::size_t>> withLooseHits(
-        std::vector<std::vector<std::size_t>> assignment, SegmentedFrame& frame,
-        const std::vector<PredictedTarget>& predicted) const
-    {
-        std::vector<Cluster> found =
-            looseHitsOn(predicted, assignment, frame.loose, frame.sensor, options_.association);
-        for (std::size_t j = 0; j < found.size(); ++j)
+        constexpr double kSlowest = 2.0;  // s between the frames of slow sensors
+        std::vector<TrackReport> lost;
+        if (!time_ || time - *time_ <= std::max(kSlowest, options_.lifecycle.maxCoast)) return lost;
+        for (Track& track : tracks_)
         {
-            if (found[j].size() == 0) continue;
-            assignment[j].push_back(frame.clusters.size());
-            frame.hits.push_back(projected(found[j], options_.measurement.mergeCell, frame.planar));
-            frame.clusters.push_back(std::move(found[j]));
+            track = endedUnseen(std::move(track));
+            lost.push_back(reportAt(origin_, track));
         }
-        return assignment;
+        tracks_.clear();
+        return lost;
     }
 
     // Also to where the frame's numbers begin, at the vehicle: so all that is kept has small
@@ -136,25 +139,18 @@ private:
         const SegmentedFrame& frame, const std::vector<std::vector<std::size_t>>& assignment)
     {
         std::vector<std::optional<Sighting>> sightings(tracks_.size());
-        workers_.forEach(tracks_.size(),
-                         [&](std::size_t j, std::size_t)
-                         {
-                             const std::vector<std::size_t>& clusters = assignment[j];
-                             if (!clusters.empty() && !isGlanceEnough(tracks_[j], frame, clusters))
-                                 sightings[j] = expectedSighting(
-                                     tracks_[j], frame, clusters,
-                                     typeFilters_.optionsFor(tracks_[j]),
-                                     effortFor(tracks_[j], discriminator_), options_.motion);
-                         });
+        workers_.forEach(
+            tracks_.size(),
+            [&](std::size_t j, std::size_t)
+            {
+                const std::vector<std::size_t>& clusters = assignment[j];
+                if (!clusters.empty() && !isGlanceEnough(tracks_[j], frame, clusters,
+                                                         discriminator_, options_.discriminator))
+                    sightings[j] = expectedSighting(
+                        tracks_[j], frame, clusters, typeFilters_.optionsFor(tracks_[j]),
+                        effortFor(tracks_[j], discriminator_), options_.motion);
+            });
         return sightings;
-    }
-
-    // Features are asked for to learn from: all of them.
-    bool isGlanceEnough(const Track& track, const SegmentedFrame& frame,
-                        const std::vector<std::size_t>& clusters) const
-    {
-        return isPassedOver(track, discriminator_) && !options_.discriminator.keepFeatures &&
-               isWhereItWas(track, frame, clusters);
     }
 
     // Where the platform's pose errs, tracks go with it, and are told where they were; what is not
@@ -239,7 +235,16 @@ private:
             { tracks_[j].judgement = discriminator_.judged(tracks_[j], frame, assignment[j]); });
     }
 
-    FrameResult reportFrame(const LadarFrame& frame, const SegmentedFrame& segmented) const
+    TrackReport reportAt(const Eigen::Vector3d& origin, const Track& track) const
+    {
+        const TrackReport report =
+            reportOf(track, discriminator_.extentOf(track), options_.visibility, origin);
+        return alignment_.aligned(discriminator_.withProbability(report, track), origin.head<2>());
+    }
+
+    // `tracks`: reports that come first, of tracks that are no more.
+    FrameResult reportFrame(const LadarFrame& frame, const SegmentedFrame& segmented,
+                            std::vector<TrackReport> tracks) const
     {
         FrameResult result;
         result.time = frame.time;
@@ -247,13 +252,9 @@ private:
         result.pointsAboveGround = segmented.pointsAboveGround;
         result.clusters = segmented.clusters.size();
         result.alignment = alignment_.inWorld(frame.origin.head<2>());
-        result.tracks.reserve(tracks_.size());
-        for (const Track& track : tracks_)
-            result.tracks.push_back(alignment_.aligned(
-                discriminator_.withProbability(reportOf(track, discriminator_.extentOf(track),
-                                                        options_.visibility, frame.origin),
-                                               track),
-                frame.origin.head<2>()));
+        result.tracks = std::move(tracks);
+        result.tracks.reserve(result.tracks.size() + tracks_.size());
+        for (const Track& track : tracks_) result.tracks.push_back(reportAt(frame.origin, track));
         return result;
     }
 

@@ -53,8 +53,8 @@ struct AboveGround
 /// in each frame; from the ground near the sensor the surface is followed outwards, past objects
 /// that hide it, so a hit below the ground (a mirror image) or above it (a bridge) does not bend
 /// it. Where a frame shows no ground or is planar, all hits in range are kept, with heights over a
-/// level ground assumedSensorHeight below the sensor. Hits with a coordinate that is not finite
-/// are dropped.
+/// level ground assumedSensorHeight below the sensor. Hits with a coordinate or a time that is
+/// not finite are dropped.
 AboveGround removeGround(const LadarFrame& frame, const GroundOptions& options);
 
 }  // namespace vdamf

@@ -127,7 +127,9 @@ public:
     Tracker& operator=(Tracker&&) noexcept;
 
     /// Takes the next frame. Frames come in order of time; one that is not later than its
-    /// predecessor throws std::invalid_argument and changes nothing.
+    /// predecessor, or whose time, origin or sensor is not finite, throws std::invalid_argument and
+    /// changes nothing. Over more than [lifecycle] max_coast_s and 2 s between frames all tracks
+    /// end: the later one reports them as they were.
     FrameResult process(const LadarFrame& frame);
 
     /// Called as each stage begins and, with nullptr, after the last one.
