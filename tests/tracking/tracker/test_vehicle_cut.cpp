@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
+
 #include "tracking/association/predicted_car.h"
+#include "vdamf/tracking/discrimination/model.h"
 
 namespace vdamf
 {
@@ -54,8 +57,45 @@ PredictedTarget bush(double x)
 SegmentedFrame cutFor(const std::vector<PredictedTarget>& targets)
 {
     const TrackerOptions options;
-    return withVehiclesCutOut(carAtABush(), targets, Neighbourhood(),
-                              Discriminator(options.discriminator), options);
+    return withVehiclesCutOut(carAtABush(), targets, std::vector<Track>(targets.size()),
+                              Neighbourhood(), Discriminator(options.discriminator), options);
+}
+
+// The same before a bush that comes as near as the car does, behind a dent.
+SegmentedFrame carBeforeADent()
+{
+    SegmentedFrame frame;
+    frame.clusters.resize(1);
+    addWall(frame.clusters[0], {2.0F, 4.0F}, {-2.0F, 4.0F}, 40);
+    addWall(frame.clusters[0], {-2.3F, 5.4F}, {-7.0F, 4.2F}, 40);
+    frame.points = frame.clusters[0].size();
+    return frame;
+}
+
+// Clusters by a discriminator that takes every piece for a vehicle, before a track that has been
+// ruled out.
+std::size_t clustersWhenEachPieceIsACar(const Track& ruledOut)
+{
+    TrackerOptions options;
+    DiscriminatorModel model = untrainedModel();
+    model.frame.offset = 3.0;
+    options.discriminator.loaded = std::make_shared<DiscriminatorModel>(model);
+    return withVehiclesCutOut(carBeforeADent(), {bush(-5.0)}, {ruledOut}, Neighbourhood(),
+                              Discriminator(options.discriminator), options)
+        .clusters.size();
+}
+
+TEST(VehicleCut, ClutterIsSearchedWhenItIsLookedAt)
+{
+    Track clutter;
+    clutter.judgement.probability = 0.05;
+    clutter.id = 1;
+    int searched = 0;
+    for (clutter.sightings = 10; clutter.sightings < 18; ++clutter.sightings)
+        if (clustersWhenEachPieceIsACar(clutter) > 1) ++searched;
+    EXPECT_EQ(searched, 2) << "each fourth time";
+    clutter.sightings = 3;
+    EXPECT_GT(clustersWhenEachPieceIsACar(clutter), 1U) << "it may have been ruled out by mistake";
 }
 
 TEST(VehicleCut, ACarKeepsItsHitsBesideKnownClutter)

@@ -66,8 +66,8 @@ public:
         enter(Stage::Association);
         const std::vector<PredictedTarget> predicted = predictedTargets(tracks_, discriminator_);
         const Neighbourhood around(tracks_, discriminator_);
-        segmented = withVehiclesCutOut(std::move(segmented), predicted, around, discriminator_,
-                                       options_);
+        segmented = withVehiclesCutOut(std::move(segmented), predicted, tracks_, around,
+                                       discriminator_, options_);
         segmented = withHits(std::move(segmented), options_.measurement, workers_);
         segmented = withSharedClustersCut(std::move(segmented), predicted, options_);
         auto assignment =

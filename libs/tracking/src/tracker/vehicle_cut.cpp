@@ -11,6 +11,7 @@
 #include "association/outgrown_clusters.h"
 #include "association/plane_index.h"
 #include "preprocessing/convex_pieces.h"
+#include "tracker/attention.h"
 #include "tracker/vehicles_among.h"
 #include "types/cluster_bounds.h"
 
@@ -51,13 +52,25 @@ Parts cutBy(const KnownVehicles& vehicles, Cluster cluster, const SegmentedFrame
     return parts;
 }
 
-// Where targets are that are surely no vehicles.
-PlaneIndex clutterOf(const std::vector<PredictedTarget>& targets)
+// Where tracks are that are surely no vehicles.
+struct Clutter
+{
+    PlaneIndex places;
+    std::vector<bool> isPassedOver;
+};
+
+Clutter clutterOf(const std::vector<PredictedTarget>& targets, const std::vector<Track>& tracks,
+                  const Discriminator& discriminator)
 {
     std::vector<PlaneBounds> places;
-    for (const PredictedTarget& t : targets)
-        if (t.isClutter) places.push_back(PlaneBounds::around(t.box.centre(), 0.0));
-    return PlaneIndex(places);
+    std::vector<bool> passedOver;
+    for (std::size_t j = 0; j < targets.size(); ++j)
+    {
+        if (!targets[j].isClutter) continue;
+        places.push_back(PlaneBounds::around(targets[j].box.centre(), 0.0));
+        passedOver.push_back(isPassedOver(tracks[j], discriminator));
+    }
+    return {PlaneIndex(std::move(places)), std::move(passedOver)};
 }
 
 void append(std::vector<Cluster>& to, std::vector<Cluster> more)
@@ -67,23 +80,25 @@ void append(std::vector<Cluster>& to, std::vector<Cluster> more)
 }  // namespace
 
 SegmentedFrame withVehiclesCutOut(SegmentedFrame frame, const std::vector<PredictedTarget>& targets,
-                                  const Neighbourhood& around, const Discriminator& discriminator,
-                                  const TrackerOptions& options)
+                                  const std::vector<Track>& tracks, const Neighbourhood& around,
+                                  const Discriminator& discriminator, const TrackerOptions& options)
 {
     // What is smaller holds no more than a part of a car's end and a twig.
     constexpr double kLeastExtent = 2.0;  // m
     const KnownVehicles known(targets, options.association);
-    const PlaneIndex clutter = clutterOf(targets);
+    const Clutter clutter = clutterOf(targets, tracks, discriminator);
     Parts all;
     for (Cluster& cluster : frame.clusters)
     {
         const ClusterBounds bounds = boundsOf(cluster);
         const bool maySplit = bounds.diagonal() >= kLeastExtent;
-        std::vector<Cluster> pieces =
-            maySplit ? convexPieces(cluster, frame.sensor) : std::vector<Cluster>();
+        std::vector<std::size_t> held;
+        if (maySplit) held = clutter.places.overlapping(PlaneBounds::around(bounds));
+        const bool holdsClutter = !held.empty();
+        const bool isSearched = maySplit && !(holdsClutter && clutter.isPassedOver[held.front()]);
+        std::vector<Cluster> pieces;
+        if (isSearched) pieces = convexPieces(cluster, frame.sensor);
         const bool isDented = !pieces.empty();
-        const bool holdsClutter =
-            maySplit && !isDented && !clutter.overlapping(PlaneBounds::around(bounds)).empty();
         if (!isDented && !holdsClutter)
         {
             all.rest.push_back(std::move(cluster));

@@ -17,8 +17,12 @@ namespace vdamf
 /// tracks tell as well which hits are theirs. What lies on one comes behind all clusters, marked as
 /// a vehicle's, and what does not is clustered anew. Then what is longer than [clustering]
 /// max_extent_m is dropped.
+///
+/// `targets`: of the tracks, in their order. No new cars are looked for in clutter that is passed
+/// over in this frame (isPassedOver), by the oldest track in it.
 SegmentedFrame withVehiclesCutOut(SegmentedFrame frame, const std::vector<PredictedTarget>& targets,
-                                  const Neighbourhood& around, const Discriminator& discriminator,
+                                  const std::vector<Track>& tracks, const Neighbourhood& around,
+                                  const Discriminator& discriminator,
                                   const TrackerOptions& options);
 
 }  // namespace vdamf
