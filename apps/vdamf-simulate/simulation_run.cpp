@@ -5,7 +5,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "recording.h"
+#include "simulated_rawlog.h"
 
 namespace vdamf
 {
@@ -15,7 +15,7 @@ namespace
 class PoseWriter
 {
 public:
-    PoseWriter(const Scenario& scenario, Recording& recording)
+    PoseWriter(const Scenario& scenario, SimulatedRawlog& recording)
         : recording_(recording), ins_(scenario)
     {
     }
@@ -35,7 +35,7 @@ public:
     std::size_t written() const { return written_; }
 
 private:
-    Recording& recording_;
+    SimulatedRawlog& recording_;
     InsSimulator ins_;
     std::size_t written_ = 0;
 };
@@ -57,7 +57,7 @@ SimulationTotals runSimulation(const Scenario& scenario, const SimulationOutputs
     RawlogWriter::Options options;
     options.gzLevel = outputs.gzLevel;
     options.existing = outputs.existing;
-    Recording recording(scenario, outputs.rawlog, options);
+    SimulatedRawlog recording(scenario, outputs.rawlog, options);
     std::optional<OutputFile> truth;
     if (!outputs.truth.empty())
     {

@@ -11,7 +11,7 @@
 namespace vdamf
 {
 /// Section [recording NAME]: what the discriminator's has, and what filters need beside.
-struct FilterRecordingOptions : RecordingOptions
+struct FilterRecordingOptions : RecordingKeys
 {
     double rangeNoise = 0.02;   ///< m
     double labelPlace = 0.0;    ///< m
@@ -21,7 +21,7 @@ struct FilterRecordingOptions : RecordingOptions
     template <class Self, class Visitor>
     static void visit(Self& self, Visitor&& field)
     {
-        RecordingOptions::visit(self, field);
+        RecordingKeys::visit(self, field);
         field(self.rangeNoise, "range_noise_m", 0.0, 1.0, "standard deviation of its ranges");
         field(self.labelPlace, "label_place_m", 0.0, 1.0, "error of the place of a labelled face");
         field(self.labelHeading, "label_heading_deg", 0.0, 20.0, "error of a labelled heading");

@@ -28,7 +28,7 @@ void checkFiles(const std::string& name, const std::filesystem::path& rawlog,
 std::vector<Recording> readRecordings(const IniDocument& document)
 {
     IniReader reader(document);
-    std::vector<Recording> recordings = readRecordings<RecordingOptions>(reader, document);
+    std::vector<Recording> recordings = readRecordings<RecordingKeys>(reader, document);
     reader.finish();
     if (recordings.empty())
         throw std::runtime_error(document.fileName() +

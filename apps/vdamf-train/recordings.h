@@ -28,7 +28,7 @@ struct EnumNames<RecordingUse>
 };
 
 /// Section [recording NAME].
-struct RecordingOptions
+struct RecordingKeys
 {
     std::string rawlog;
     std::string truth;
@@ -57,7 +57,7 @@ struct RecordingOptions
     }
 };
 
-/// `Options`: RecordingOptions, or with more keys.
+/// `Options`: RecordingKeys, or with more keys.
 template <class Options>
 struct RecordingWith
 {
@@ -67,7 +67,7 @@ struct RecordingWith
     Options options;
 };
 
-using Recording = RecordingWith<RecordingOptions>;
+using Recording = RecordingWith<RecordingKeys>;
 
 /// All sections [recording NAME]. Throws IniError or std::runtime_error that names file and
 /// section.

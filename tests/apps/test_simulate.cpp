@@ -97,6 +97,18 @@ TEST_F(Simulate, BadUseAndBadScenariosEndWithTwo)
     EXPECT_THAT(contentOf("out.txt"), HasSubstr("Example"));
 }
 
+TEST_F(Simulate, SaysWhatIsWrongWithATableOfTraffic)
+{
+    const std::string scene = contentOf("scene.ini") + "\n[traffic]\ntable = traffic.csv\n";
+    std::ofstream(path("traffic.ini")) << scene;
+    EXPECT_EQ(run("traffic.ini -o a.rawlog"), 2);
+    EXPECT_THAT(contentOf("err.txt"), HasSubstr("traffic.csv: cannot read"));
+    std::ofstream(path("traffic.csv")) << "x,y\n1,2\n";
+    EXPECT_EQ(run("traffic.ini -o a.rawlog"), 2);
+    EXPECT_THAT(contentOf("err.txt"), HasSubstr("traffic.csv:1: the column 'time_s' is missing"));
+    EXPECT_FALSE(fs::exists(path("a.rawlog")));
+}
+
 TEST_F(Simulate, NeverWritesOverItsScenario)
 {
     const std::string before = contentOf("scene.ini");

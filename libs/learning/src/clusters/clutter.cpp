@@ -53,10 +53,11 @@ StandingBody bushBeside(const OrientedBox& box, RandomStream& random)
     return {makeBody(ObjectClass::Bush, {extent, extent, kHeight}), place, 0.0, kHeight};
 }
 
-View withClutter(const View& view, const OrientedBox& box, double share, RandomStream& random)
+BodyView withClutter(const BodyView& view, const OrientedBox& box, double share,
+                     RandomStream& random)
 {
     constexpr double kAround = 1.0;  // m
-    View all = view;
+    BodyView all = view;
     const auto hits = static_cast<double>(view.body.size());
     const auto count = static_cast<int>(std::lround(share / (1.0 - share) * hits));
     for (int i = 0; i < count; ++i)

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "clusters/view.h"
+#include "clusters/body_view.h"
 
 namespace vdamf
 {
@@ -18,6 +18,7 @@ std::vector<StandingBody> mirrors(const BodySize& size, const OrientedBox& box);
 StandingBody bushBeside(const OrientedBox& box, RandomStream& random);
 
 /// With hits, `share` of all, anywhere in the box grown by 1 m.
-View withClutter(const View& view, const OrientedBox& box, double share, RandomStream& random);
+BodyView withClutter(const BodyView& view, const OrientedBox& box, double share,
+                     RandomStream& random);
 
 }  // namespace vdamf

@@ -5,8 +5,8 @@
 #include <optional>
 #include <stdexcept>
 
+#include "clusters/body_view.h"
 #include "clusters/clutter.h"
-#include "clusters/view.h"
 
 namespace vdamf
 {
@@ -90,7 +90,7 @@ std::optional<LabelledCluster> drawn(const SimulatedKind& kind, RandomStream& ra
     if (kind.mirrors)
         for (const StandingBody& mirror : mirrors(size, sample.truth)) bodies.push_back(mirror);
     if (kind.bush) bodies.push_back(bushBeside(sample.truth, random));
-    View seen = viewOf(bodies, sample.truth, kind.rangeNoise, random);
+    BodyView seen = viewOf(bodies, sample.truth, kind.rangeNoise, random);
     if (kind.hidden) seen = partlyHidden(seen, random);
     if (kind.clutter > 0.0) seen = withClutter(seen, sample.truth, kind.clutter, random);
     if (seen.hitsOn(0) < kLeastHits) return std::nullopt;

@@ -20,7 +20,7 @@ struct StandingBody
 };
 
 /// Hits, with the body that each lies on.
-struct View
+struct BodyView
 {
     Cluster cluster;
     std::vector<std::size_t> body;
@@ -31,10 +31,10 @@ struct View
 /// Nearest surfaces along the beams of an HDL-32E at 10 Hz around `target`, 1.7 to 2.1 m above the
 /// ground; hits lower than 0.22 m or higher than 3 m over the ground are left out, as ground
 /// removal does.
-View viewOf(const std::vector<StandingBody>& bodies, const OrientedBox& target, double rangeNoise,
-            RandomStream& random);
+BodyView viewOf(const std::vector<StandingBody>& bodies, const OrientedBox& target,
+                double rangeNoise, RandomStream& random);
 
 /// Without what lies on one side of a bearing that hides 30 to 60 % of the bearings with hits.
-View partlyHidden(const View& view, RandomStream& random);
+BodyView partlyHidden(const BodyView& view, RandomStream& random);
 
 }  // namespace vdamf

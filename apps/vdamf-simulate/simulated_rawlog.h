@@ -13,11 +13,11 @@ namespace vdamf
 /// Takes poses and scans by rising time. Single observations; or pairs of a collection of actions
 /// and a sensory frame: with poses in actions a pair begins at each pose, else one ends at each
 /// scan.
-class Recording
+class SimulatedRawlog
 {
 public:
-    Recording(const Scenario& scenario, const std::filesystem::path& path,
-              const RawlogWriter::Options& options)
+    SimulatedRawlog(const Scenario& scenario, const std::filesystem::path& path,
+                    const RawlogWriter::Options& options)
         : scenario_(scenario), rawlog_(path, options), poses_(scenario)
     {
     }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "recording.h"
+#include "simulated_rawlog.h"
 
 namespace vdamf
 {
-void Recording::add(const InsSample& sample)
+void SimulatedRawlog::add(const InsSample& sample)
 {
     if (scenario_.recording.poseSource == PoseSource::Actions)
     {
@@ -13,14 +13,14 @@ void Recording::add(const InsSample& sample)
     for (const auto& observation : poses_.observations(sample)) add(observation);
 }
 
-void Recording::add(const SimulatedScan& scan)
+void SimulatedRawlog::add(const SimulatedScan& scan)
 {
     add(scanObservation(scenario_, scan));
     const bool endsPair = scenario_.recording.poseSource != PoseSource::Actions;
     if (scenario_.recording.sensoryFrames && endsPair) endPair();
 }
 
-void Recording::add(const mrpt::obs::CObservation::Ptr& observation)
+void SimulatedRawlog::add(const mrpt::obs::CObservation::Ptr& observation)
 {
     if (scenario_.recording.sensoryFrames)
         frame_.insert(observation);
@@ -28,7 +28,7 @@ void Recording::add(const mrpt::obs::CObservation::Ptr& observation)
         rawlog_.write(*observation);
 }
 
-void Recording::endPair()
+void SimulatedRawlog::endPair()
 {
     if (actions_.size() == 0 && frame_.size() == 0) return;
     rawlog_.write(actions_);
@@ -37,7 +37,7 @@ void Recording::endPair()
     frame_.clear();
 }
 
-void Recording::commit()
+void SimulatedRawlog::commit()
 {
     endPair();
     rawlog_.commit();

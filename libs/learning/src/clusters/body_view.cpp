@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "clusters/view.h"
+#include "clusters/body_view.h"
 
 #include <algorithm>
 #include <cmath>
@@ -38,7 +38,7 @@ std::optional<NearestHit> nearestHit(const std::vector<StandingBody>& bodies, co
     return nearest;
 }
 
-void add(View& view, const Eigen::Vector3d& point, std::size_t body)
+void add(BodyView& view, const Eigen::Vector3d& point, std::size_t body)
 {
     constexpr double kLowest = 0.22;  // m
     constexpr double kHighest = 3.0;  // m
@@ -50,20 +50,20 @@ void add(View& view, const Eigen::Vector3d& point, std::size_t body)
     view.body.push_back(body);
 }
 
-void addHit(View& view, std::size_t from, const View& other)
+void addHit(BodyView& view, std::size_t from, const BodyView& other)
 {
     add(view, {other.cluster.x[from], other.cluster.y[from], other.cluster.z[from]},
         other.body[from]);
 }
 }  // namespace
 
-std::size_t View::hitsOn(std::size_t which) const
+std::size_t BodyView::hitsOn(std::size_t which) const
 {
     return static_cast<std::size_t>(std::count(body.begin(), body.end(), which));
 }
 
-View viewOf(const std::vector<StandingBody>& bodies, const OrientedBox& target, double rangeNoise,
-            RandomStream& random)
+BodyView viewOf(const std::vector<StandingBody>& bodies, const OrientedBox& target,
+                double rangeNoise, RandomStream& random)
 {
     constexpr double kAround = 3.0;  // m
     const SpinningLadar ladar = ladarOf(LadarModel::HDL32E);
@@ -72,7 +72,7 @@ View viewOf(const std::vector<StandingBody>& bodies, const OrientedBox& target, 
     const double bearing = std::atan2(target.y, target.x);
     const double reach = 0.5 * std::hypot(target.length, target.width) + kAround;
     const double half = std::atan2(reach, std::max(1.0, target.centre().norm() - reach));
-    View view;
+    BodyView view;
     for (double azimuth = bearing - half + step * random.uniform(); azimuth < bearing + half;
          azimuth += step)
     {
@@ -92,7 +92,7 @@ View viewOf(const std::vector<StandingBody>& bodies, const OrientedBox& target, 
     return view;
 }
 
-View partlyHidden(const View& view, RandomStream& random)
+BodyView partlyHidden(const BodyView& view, RandomStream& random)
 {
     if (view.body.empty()) return view;
     const double middle = std::atan2(view.cluster.y[0], view.cluster.x[0]);
@@ -104,7 +104,7 @@ View partlyHidden(const View& view, RandomStream& random)
     const auto [low, high] = std::minmax_element(bearings.begin(), bearings.end());
     const double hidden = (0.3 + 0.3 * random.uniform()) * (*high - *low);
     const bool fromLow = random.uniform() < 0.5;
-    View rest;
+    BodyView rest;
     for (std::size_t i = 0; i < view.body.size(); ++i)
     {
         const double fromEnd = fromLow ? bearings[i] - *low : *high - bearings[i];
