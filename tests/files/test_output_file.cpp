@@ -197,6 +197,27 @@ TEST_F(OutputFileTest, OverwritesOnRequestAtCommitOnly)
     EXPECT_EQ(contentOf("out"), "new");
 }
 
+TEST_F(OutputFileTest, WhatAnInterruptedRunSavedStaysUntilThereIsMore)
+{
+    for (const Unfinished unfinished : {Unfinished::Discard, Unfinished::Keep})
+    {
+        make("out.partial", "hours of work");
+        {
+            OutputFile file(at("out"), Existing::Overwrite, unfinished);
+            file.write("");
+        }
+        EXPECT_EQ(contentOf("out.partial"), "hours of work");
+    }
+    OutputFile file(at("out"), Existing::Overwrite, Unfinished::Keep);
+    file.write("new");
+    EXPECT_EQ(contentOf("out.partial"), "new");
+    file.commit();
+    EXPECT_EQ(contentOf("out"), "new");
+    make("none.partial", "hours of work");
+    OutputFile(at("none"), Existing::Overwrite, Unfinished::Keep).commit();
+    EXPECT_EQ(contentOf("none"), "") << "an output that is empty";
+}
+
 TEST_F(OutputFileTest, TwoRunsDoNotShareAPartial)
 {
     OutputFile first(at("out"), Existing::Overwrite, Unfinished::Discard);

@@ -147,10 +147,7 @@ int openPartial(const fs::path& partial, OutputFile::Existing existing)
                      "holds what an interrupted run saved; rename or remove it, or use --overwrite "
                      "to replace it");
             }
-            if (::ftruncate(descriptor, 0) == 0) return descriptor;
-            const int error = errno;
-            ::close(descriptor);
-            failWithErrno(partial, "cannot empty", error);
+            return descriptor;
         }
         ::close(descriptor);
     }
@@ -248,20 +245,31 @@ OutputFile::OutputFile(fs::path path, Existing existing, Unfinished unfinished)
     target_ = withoutLinks(path_);
     checkTarget(target_, existing_);
     descriptor_ = openPartial(partialPath_, existing_);
+    holdsOlder_ = holdsBytes(descriptor_);
 }
 
 OutputFile::~OutputFile()
 {
     const bool ownsPartial = !committed_ && partialPath_ != path_;
     // Removed while the lock is still held, so that it cannot be the file of another run.
-    if (ownsPartial && (empty_ || unfinished_ == Unfinished::Discard))
+    if (ownsPartial && !holdsOlder_ && (empty_ || unfinished_ == Unfinished::Discard))
         ::unlink(partialPath_.c_str());
     if (descriptor_ >= 0) ::close(descriptor_);
 }
 
+// What an interrupted run saved stays until there is something to put in its place.
+void OutputFile::dropOlder()
+{
+    if (holdsOlder_ && ::ftruncate(descriptor_, 0) != 0)
+        failWithErrno(partialPath_, "cannot empty", errno);
+    holdsOlder_ = false;
+}
+
 void OutputFile::write(std::string_view bytes)
 {
-    empty_ = empty_ && bytes.empty();
+    if (bytes.empty()) return;
+    empty_ = false;
+    dropOlder();
     const WriteSignalsHeld held;
     while (!bytes.empty())
     {
@@ -274,6 +282,7 @@ void OutputFile::write(std::string_view bytes)
 
 void OutputFile::commit()
 {
+    dropOlder();
     syncChecked(descriptor_, partialPath_);
     if (partialPath_ != path_) renameChecked(partialPath_, target_, existing_);
     committed_ = true;

@@ -34,7 +34,8 @@ bool isStandardOutput(const std::filesystem::path& path);
 /// Writes to partialPathOf(path) and renames that to the path on commit(). Every write and the
 /// close are checked, and the bytes are on the disk before the name appears. A symbolic link
 /// stays, the file that it leads to is replaced. An old `.partial` holds what an interrupted run
-/// saved: it is refused like an existing file, unless it is empty; one that another process still
+/// saved: it is refused like an existing file, unless it is empty, and one to be overwritten stays
+/// until the first bytes are written; one that another process still
 /// writes is refused always. A path that names a device, a pipe or a descriptor (/dev/null,
 /// /dev/stdout, also when that is redirected to a file) is written directly. All errors are
 /// std::runtime_error that name the file and the system's reason.
@@ -68,6 +69,8 @@ public:
     const std::filesystem::path& partialPath() const { return partialPath_; }
 
 private:
+    void dropOlder();
+
     std::filesystem::path path_;
     std::filesystem::path target_;       ///< the path without symbolic links
     std::filesystem::path partialPath_;  ///< the path itself where it is written directly
@@ -75,6 +78,7 @@ private:
     Unfinished unfinished_;
     bool committed_ = false;
     bool empty_ = true;
+    bool holdsOlder_ = false;  ///< the partial, of an interrupted run
     int descriptor_ = -1;
 };
 
