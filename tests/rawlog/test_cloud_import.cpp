@@ -136,6 +136,18 @@ TEST_F(CloudImportTest, HitsKeepTheirTimes)
     EXPECT_NEAR(scans().at(0).points.time[1], 0.08F, 1e-5F);
 }
 
+TEST_F(CloudImportTest, NoCloudIsWrittenOver)
+{
+    cloud("a.ply", 1);
+    cloud("b.ply", 2);
+    job_.rate = 10.0;
+    job_.output.rawlog = at("in/b.ply");
+    EXPECT_THAT(error(), HasSubstr("b.ply: is one of the clouds"));
+    job_.output.rawlog = at("in/o.rawlog");
+    EXPECT_EQ(importClouds(job_).scans, 2U);
+    EXPECT_EQ(importClouds(job_).scans, 2U) << "an earlier output is none of them";
+}
+
 TEST_F(CloudImportTest, SaysWhatItCannotImport)
 {
     EXPECT_THAT(error(), HasSubstr("holds no .pcd, .ply or .bin"));

@@ -253,5 +253,28 @@ TEST_F(KittiImportTest, OneFileCannotBeBoth)
     EXPECT_THAT(error(), HasSubstr("is named for two outputs"));
 }
 
+TEST_F(KittiImportTest, NothingOfTheDriveIsWrittenOver)
+{
+    job_.existing = OutputFile::Existing::Overwrite;
+    const std::filesystem::path truth = *job_.truth;
+    const std::filesystem::path rawlog = job_.rawlog;
+    for (const std::filesystem::path& input :
+         {job_.drive / "velodyne_points/data/0000000000.bin",
+          job_.drive / "oxts/data/0000000001.txt",
+          job_.drive.parent_path() / "calib_imu_to_velo.txt", job_.drive / "tracklet_labels.xml",
+          job_.drive / "oxts/timestamps.txt"})
+    {
+        ASSERT_TRUE(std::filesystem::exists(input)) << input;
+        const auto size = std::filesystem::file_size(input);
+        job_.rawlog = input;
+        EXPECT_THAT(error(), HasSubstr("the drive")) << input;
+        job_.rawlog = rawlog;
+        job_.truth = input;
+        EXPECT_THAT(error(), HasSubstr("choose another output")) << input;
+        job_.truth = truth;
+        EXPECT_EQ(std::filesystem::file_size(input), size);
+    }
+}
+
 }  // namespace
 }  // namespace vdamf

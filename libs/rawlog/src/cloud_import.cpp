@@ -30,17 +30,19 @@ bool nameBefore(const fs::path& a, const fs::path& b)
     return naturallyBefore(a.filename().string(), b.filename().string());
 }
 
+bool isCloud(const fs::path& path)
+{
+    const std::string ending = path.extension().string();
+    return ending == ".pcd" || ending == ".ply" || ending == ".bin" || ending == ".PCD" ||
+           ending == ".PLY";
+}
+
 std::vector<fs::path> cloudsIn(const fs::path& folder)
 {
     std::error_code error;
     std::vector<fs::path> clouds;
     for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error))
-    {
-        const std::string ending = it->path().extension().string();
-        if (ending == ".pcd" || ending == ".ply" || ending == ".bin" || ending == ".PCD" ||
-            ending == ".PLY")
-            clouds.push_back(it->path());
-    }
+        if (isCloud(it->path())) clouds.push_back(it->path());
     if (error) throw std::runtime_error(folder.string() + ": cannot list: " + error.message());
     if (clouds.empty())
         throw std::runtime_error(folder.string() + ": holds no .pcd, .ply or .bin file");
@@ -119,8 +121,11 @@ mrpt::obs::CObservation::Ptr observationOf(const CloudImport& job, PointCloud po
 
 void checkPaths(const CloudImport& job)
 {
-    checkOutputPaths({job.output.rawlog},
-                     {{job.poses, "the file of poses"}, {job.times, "the file of times"}});
+    const fs::path& output = job.output.rawlog;
+    checkOutputPaths({output}, {{job.poses, "the file of poses"},
+                                {job.times, "the file of times"},
+                                {isCloud(output) ? job.folder / output.filename() : fs::path(),
+                                 "one of the clouds"}});
 }
 
 CloudImportSummary importClouds(const CloudImport& job)

@@ -4,6 +4,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "kitti_observations.h"
@@ -130,10 +131,21 @@ void checkPaths(const KittiImport& job)
 {
     std::vector<fs::path> outputs{job.rawlog};
     if (job.truth) outputs.push_back(*job.truth);
-    checkOutputPaths(outputs,
-                     {{job.drive / "tracklet_labels.xml", "the drive's labels"},
-                      {job.drive / "oxts" / "timestamps.txt", "the drive's times"},
-                      {job.drive / "velodyne_points" / "timestamps.txt", "the drive's times"}});
+    std::vector<NamedInput> inputs = {
+        {job.drive / "tracklet_labels.xml", "the drive's labels"},
+        {job.drive / "oxts" / "timestamps.txt", "the drive's times"},
+        {job.drive / "velodyne_points" / "timestamps.txt", "the drive's times"}};
+    const fs::path day = fs::weakly_canonical(job.drive).parent_path();
+    for (const fs::path& folder : {job.drive, day})
+        for (const char* name :
+             {"calib_imu_to_velo.txt", "calib_velo_to_cam.txt", "calib_cam_to_cam.txt"})
+            inputs.push_back({folder / name, "the drive's calibration"});
+    for (const fs::path& output : outputs)
+        for (const auto& [folder, ending, name] :
+             {std::tuple(job.drive / "velodyne_points" / "data", ".bin", "a scan of the drive"),
+              std::tuple(job.drive / "oxts" / "data", ".txt", "a pose of the drive")})
+            if (output.extension() == ending) inputs.push_back({folder / output.filename(), name});
+    checkOutputPaths(outputs, inputs);
 }
 
 KittiImportSummary importKittiDrive(const KittiImport& job)
