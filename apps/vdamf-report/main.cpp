@@ -119,13 +119,19 @@ int run(const CommandLine& line)
         std::fprintf(stderr,
                      "%s: its configuration cannot be read, the built-in one is taken: %s\n",
                      line.input.c_str(), annotations.configurationProblem.c_str());
+    for (const std::string& problem : annotations.read.problems)
+        std::fprintf(stderr, "%s: %s\n", line.input.c_str(), problem.c_str());
     const std::string page = pageOf(line, annotations, interrupted);
     output.write(page);
     output.commit();
     if (!line.quiet && !vdamf::isStandardOutput(line.output))
         std::printf("%s: %zu frames, %.1f MB\n", line.output.c_str(), annotations.tables.size(),
                     1e-6 * static_cast<double>(page.size()));
-    return vdamf::kDone;
+    if (!annotations.read.truncated) return vdamf::kDone;
+    std::fprintf(stderr, "%s: truncated: %s; the %zu frames before are in the page\n",
+                 line.input.c_str(), annotations.read.truncation.c_str(),
+                 annotations.tables.size());
+    return vdamf::kFailed;
 }
 
 void prepare(CommandLine& line)

@@ -108,7 +108,6 @@ vdamf::TrackRawlogJob jobOf(const Cli& cli)
     if (cli.overwrite) job.existing = vdamf::OutputFile::Existing::Overwrite;
     if (!cli.frames.empty()) parseFrames(cli.frames, job);
     job.version = VDAMF_VERSION;
-    checkPaths(job);
     return job;
 }
 
@@ -177,6 +176,7 @@ vdamf::TrackRawlogJob prepared(const Cli& cli)
     vdamf::TrackRawlogJob job;
     if (!cli.printConfig) job = jobOf(cli);
     job.configuration = configuration;
+    if (!cli.printConfig) checkPaths(job);
     return job;
 }
 

@@ -126,6 +126,29 @@ TEST_F(Report, ComesFromTheTrackerItselfWithTimes)
     EXPECT_EQ(test::runOf(contentOf("again.html"))["tracks"], data["tracks"]);
 }
 
+TEST_F(Report, TellsWhatWasLostOfItsInput)
+{
+    trackStreet("--frames 0:30");
+    fs::resize_file(at("t.rawlog"), fs::file_size(at("t.rawlog")) / 2);
+    const Outcome cut =
+        report("'" + at("t.rawlog").string() + "' -o '" + at("t.html").string() + "'");
+    EXPECT_EQ(cut.exitCode, 1);
+    EXPECT_THAT(cut.output, AllOf(HasSubstr("t.rawlog: truncated: "), HasSubstr("frames before")));
+    EXPECT_GT(fs::file_size(at("t.html")), 100000U) << "what there is";
+}
+
+TEST_F(Report, NeedsNoFileThatTheConfigurationNames)
+{
+    fs::copy(VDAMF_SOURCE_DIR "/models/vehicle.txt", at("own.txt"));
+    trackStreet("--frames 0:5 --set ground.min_height_m=0.31 --set discriminator.model='" +
+                at("own.txt").string() + "'");
+    fs::remove(at("own.txt"));
+    const Annotations annotations = readAnnotations(at("t.rawlog"));
+    EXPECT_EQ(annotations.configurationProblem, "");
+    EXPECT_EQ(annotations.configuration.tracker.ground.minHeight, 0.31);
+    EXPECT_EQ(annotations.configuration.tracker.discriminator.model, at("own.txt").string());
+}
+
 TEST_F(Report, SaysWhatIsWrong)
 {
     const auto expect = [&](const std::string& arguments, int exitCode, const std::string& words)

@@ -48,6 +48,28 @@ TEST_F(SweepProgram, RunsThatAreDoneAreSkipped)
     EXPECT_THAT(sweep("out", "--no-resume").output, Not(HasSubstr("done before")));
 }
 
+TEST_F(SweepProgram, AnotherModelOfTheSameNameIsAnotherRun)
+{
+    const std::string model = VDAMF_SOURCE_DIR "/models/vehicle.txt";
+    fs::create_directory(at("models"));
+    fs::copy(model, at("models/a.txt"));
+    fs::copy(model, at("models/b.txt"));
+    make("models/conf.ini", "[discriminator]\nmodel = a.txt\n");
+    writeSweep("config = models/conf.ini\n", "discriminator.model = a.txt, models/b.txt");
+    const Outcome first = sweep("out");
+    ASSERT_EQ(first.exitCode, 0) << first.output;
+    EXPECT_EQ(runsIn("out"), 2U);
+    EXPECT_THAT(sweep("out").output, HasSubstr("2 were done before"));
+    std::string other = contentOf("models/b.txt");
+    other.replace(other.find("record vdamf-train"), 6, "record another");
+    make("models/b.txt", other);
+    EXPECT_THAT(sweep("out").output, HasSubstr("1 were done before"));
+    // From any folder: the paths in it are absolute.
+    const Outcome config = runApp(
+        "vdamf-track", "--print-config -c '" + at("out/best.ini").string() + "' | grep ^model");
+    EXPECT_THAT(config.output, HasSubstr(at("models").string())) << config.output;
+}
+
 TEST_F(SweepProgram, KilledAndStartedAgainGivesTheSameTable)
 {
     writeSweep("", "measurement.sigma_m = 0.10 : 0.04 : 0.38");

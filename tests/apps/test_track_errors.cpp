@@ -129,6 +129,11 @@ TEST_F(TrackErrors, GuardsItsOutputs)
     EXPECT_EQ(run.exitCode, 2);
     EXPECT_THAT(run.output, HasSubstr("is the input"));
     EXPECT_EQ(contentOf("old.rawlog.partial"), "precious");
+    fs::copy(VDAMF_SOURCE_DIR "/models/vehicle.txt", at("model.txt"));
+    run = track("-i " + kStreet + out("model.txt") +
+                " --overwrite --set discriminator.model=" + path("model.txt"));
+    EXPECT_EQ(run.exitCode, 2);
+    EXPECT_THAT(run.output, HasSubstr("model.txt: is discriminator.model"));
     run = track("-i " + kStreet + out("no/such/folder.rawlog"));
     EXPECT_EQ(run.exitCode, 1);
     EXPECT_THAT(run.output, HasSubstr("no/such/folder.rawlog"));

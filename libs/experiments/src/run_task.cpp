@@ -99,6 +99,10 @@ std::string runId(const RunTask& task, const std::string& rawlogDigest,
     std::string all = "run 1\n";
     for (const std::string& part : {program, rawlogDigest, truthDigest, writer.text()})
         all += part + "\n";
+    const Configuration settings =
+        readSettings(IniDocument::parse(task.configuration, "the configuration of a run"));
+    for (const fs::path& file : filesNamedBy(settings, {}))
+        all += "with " + digestOfFile(file) + "\n";
     return digestOf(all + task.configuration);
 }
 

@@ -23,13 +23,21 @@ std::string problemsOfKey(const std::string& message, const std::string& where)
     return problems;
 }
 
-std::string problemsOfValue(const IniDocument& base, const std::string& key,
+// Files are named as seen from the sweep's file.
+std::string assignment(const SweepFile& file, const std::string& key, const std::string& value)
+{
+    const bool namesFile = key == "discriminator.model" || key == "measurement.filter_file";
+    const std::filesystem::path path = namesFile && !value.empty() ? file.resolved(value) : "";
+    return key + "=" + (std::filesystem::exists(path) ? path.string() : value);
+}
+
+std::string problemsOfValue(const SweepFile& file, const IniDocument& base, const std::string& key,
                             const std::string& value, const std::string& where)
 {
     IniDocument document = base;
     try
     {
-        document.set(key + "=" + value);
+        document.set(assignment(file, key, value));
         readConfiguration(document);
     }
     catch (const IniError& error)
@@ -56,6 +64,12 @@ std::string nameOf(const std::string& assignment)
     return split(assignment, '=').front();
 }
 
+std::string valueOf(const std::string& assignment)
+{
+    const std::size_t equals = assignment.find('=');
+    return equals == std::string::npos ? "" : assignment.substr(equals + 1);
+}
+
 std::vector<std::string> assignmentsOf(const RecordingGroup& group)
 {
     return group.set.empty() ? std::vector<std::string>() : split(group.set, ',');
@@ -66,14 +80,12 @@ std::string problemsOfGroup(const SweepFile& file, const IniDocument& base,
 {
     std::string problems;
     const std::string where = file.path.string() + ": [recordings " + group.name + "] set: ";
-    for (const std::string& assignment : assignmentsOf(group))
+    for (const std::string& set : assignmentsOf(group))
     {
         for (const SweptKey& key : file.keys)
-            if (nameOf(assignment) == key.name)
+            if (nameOf(set) == key.name)
                 problems += where + key.name + " is varied as well; remove one\n";
-        const std::size_t equals = assignment.find('=');
-        const std::string value = equals == std::string::npos ? "" : assignment.substr(equals + 1);
-        problems += problemsOfValue(base, nameOf(assignment), value, where);
+        problems += problemsOfValue(file, base, nameOf(set), valueOf(set), where);
     }
     return problems;
 }
@@ -94,7 +106,7 @@ void checkKeys(const SweepFile& file, const IniDocument& base)
         const std::string where = file.path.string() + ":" + std::to_string(key.line) + ": ";
         for (const std::string& value : samplesOf(key))
         {
-            const std::string found = problemsOfValue(base, key.name, value, where);
+            const std::string found = problemsOfValue(file, base, key.name, value, where);
             problems += found;
             if (!found.empty()) break;  // one wrong value tells enough of a key
         }
@@ -107,12 +119,13 @@ std::string configurationOf(const SweepFile& file, const IniDocument& base,
                             const RecordingGroup& group, const SweepSetting& setting)
 {
     IniDocument document = base;
-    for (const std::string& assignment : assignmentsOf(group)) document.set(assignment);
+    for (const std::string& set : assignmentsOf(group))
+        document.set(assignment(file, nameOf(set), valueOf(set)));
     for (std::size_t k = 0; k < file.keys.size(); ++k)
-        document.set(file.keys[k].name + "=" + setting.values[k]);
+        document.set(assignment(file, file.keys[k].name, setting.values[k]));
     try
     {
-        return toIni(readConfiguration(document));
+        return toIni(withAbsoluteFiles(readConfiguration(document), document.fileName()));
     }
     catch (const IniError& error)
     {

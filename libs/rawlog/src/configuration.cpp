@@ -4,6 +4,7 @@
 #include "discriminator_file.h"
 #include "vdamf/files/numbers.h"
 #include "vdamf/rawlog/filter_file.h"
+#include "vdamf/rawlog/named_file.h"
 
 namespace vdamf
 {
@@ -30,7 +31,7 @@ void checkLimits(IniReader& reader, const TrackerOptions& tracker)
 }
 }  // namespace
 
-Configuration readConfiguration(const IniDocument& document)
+Configuration readSettings(const IniDocument& document)
 {
     Configuration c;
     IniReader reader(document);
@@ -49,9 +50,35 @@ Configuration readConfiguration(const IniDocument& document)
     reader.read("output", c.output);
     checkLimits(reader, c.tracker);
     reader.finish();
+    return c;
+}
+
+Configuration readConfiguration(const IniDocument& document)
+{
+    Configuration c = readSettings(document);
     c.tracker.discriminator.loaded =
         discriminatorFromFile(c.tracker.discriminator, document.fileName());
     c.tracker.measurement = withFilterFromFile(c.tracker.measurement, document.fileName());
+    return c;
+}
+
+std::vector<std::filesystem::path> filesNamedBy(const Configuration& c,
+                                                const std::filesystem::path& configurationFile)
+{
+    std::vector<std::filesystem::path> files;
+    for (const std::string& name :
+         {c.tracker.discriminator.model, c.tracker.measurement.filterFile})
+        if (!name.empty()) files.push_back(namedFile(name, configurationFile));
+    return files;
+}
+
+Configuration withAbsoluteFiles(Configuration c, const std::filesystem::path& configurationFile)
+{
+    for (std::string* name : {&c.tracker.discriminator.model, &c.tracker.measurement.filterFile})
+        if (!name->empty())
+            *name = std::filesystem::absolute(namedFile(*name, configurationFile))
+                        .lexically_normal()
+                        .string();
     return c;
 }
 

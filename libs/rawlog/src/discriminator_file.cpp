@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "vdamf/files/text_file.h"
+#include "vdamf/rawlog/named_file.h"
 
 namespace vdamf
 {
@@ -13,10 +14,7 @@ std::shared_ptr<const DiscriminatorModel> discriminatorFromFile(
 {
     if (options.model.empty() || options.isOff()) return nullptr;
     constexpr std::size_t kLargest = std::size_t{16} << 20;
-    const std::filesystem::path beside =
-        std::filesystem::path(configurationFile).parent_path() / options.model;
-    const std::filesystem::path path =
-        std::filesystem::exists(beside) ? beside : std::filesystem::path(options.model);
+    const std::filesystem::path path = namedFile(options.model, configurationFile);
     try
     {
         return std::make_shared<const DiscriminatorModel>(

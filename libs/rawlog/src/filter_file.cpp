@@ -7,6 +7,7 @@
 
 #include "vdamf/files/ini.h"
 #include "vdamf/files/text_file.h"
+#include "vdamf/rawlog/named_file.h"
 
 namespace vdamf
 {
@@ -128,10 +129,7 @@ MeasureOptions withFilterFromFile(const MeasureOptions& options,
 {
     if (options.filterFile.empty()) return options;
     constexpr std::size_t kLargest = std::size_t{1} << 20;
-    const std::filesystem::path beside =
-        std::filesystem::path(configurationFile).parent_path() / options.filterFile;
-    const std::filesystem::path path =
-        std::filesystem::exists(beside) ? beside : std::filesystem::path(options.filterFile);
+    const std::filesystem::path path = namedFile(options.filterFile, configurationFile);
     try
     {
         const auto bank = std::make_shared<const FilterBank>(

@@ -67,7 +67,7 @@ private:
         try
         {
             annotations.configuration =
-                readConfiguration(IniDocument::parse(text.substr(end), "the rawlog's head"));
+                readSettings(IniDocument::parse(text.substr(end), "the rawlog's head"));
             annotations.configurationProblem.clear();
         }
         catch (const std::exception& error)
@@ -116,6 +116,7 @@ Annotations readAnnotations(const std::filesystem::path& path)
     {
         throw std::runtime_error(path.string() + ": " + error.what());
     }
+    reading.annotations.read = reader.summary();
     if (reading.annotations.tables.empty())
         throw std::runtime_error(path.string() + ": has no tables of tracks ('" + kTableLabel +
                                  "'): write it with vdamf-track -o, [output] annotate_table = "

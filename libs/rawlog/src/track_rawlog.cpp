@@ -13,6 +13,7 @@
 #include "pending_entries.h"
 #include "track_outputs.h"
 #include "vdamf/rawlog/annotation.h"
+#include "vdamf/rawlog/named_file.h"
 
 namespace vdamf
 {
@@ -264,8 +265,13 @@ void checkPaths(const TrackRawlogJob& job)
     std::vector<std::filesystem::path> outputs = job.otherOutputs;
     for (const auto& output : {job.output, job.tracks, job.nis})
         if (output) outputs.push_back(*output);
-    checkOutputPaths(outputs,
-                     {{job.input, "the input"}, {job.configurationFile, "the configuration"}});
+    const TrackerOptions& tracker = job.configuration.tracker;
+    checkOutputPaths(outputs, {{job.input, "the input"},
+                               {job.configurationFile, "the configuration"},
+                               {namedFile(tracker.discriminator.model, job.configurationFile),
+                                "discriminator.model"},
+                               {namedFile(tracker.measurement.filterFile, job.configurationFile),
+                                "measurement.filter_file"}});
 }
 
 TrackRawlogSummary trackRawlog(const TrackRawlogJob& job, const std::atomic<bool>& stop,

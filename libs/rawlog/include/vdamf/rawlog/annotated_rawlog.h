@@ -31,6 +31,7 @@ struct Annotations
     std::map<mrpt::Clock::time_point, std::vector<TrackReport>> tables;
     /// From the world of the poses to that of the tracks, where these differ; by time as well.
     std::map<mrpt::Clock::time_point, PlaneMotion> alignments;
+    RawlogSummary read;  ///< what was lost of the file
 };
 
 /// Reads the head and all tables of tracks. Throws std::runtime_error that names the file and what

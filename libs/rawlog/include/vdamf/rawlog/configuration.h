@@ -66,8 +66,20 @@ struct Configuration
     OutputOptions output;
 };
 
-/// Strict: throws IniError that lists every problem with file, line and key.
+/// Strict: throws IniError that lists every problem with file, line and key. With the contents of
+/// the files that it names.
 Configuration readConfiguration(const IniDocument& document);
+
+/// The same without them.
+Configuration readSettings(const IniDocument& document);
+
+/// Files that it names: [discriminator] model and [measurement] filter_file, where they do.
+std::vector<std::filesystem::path> filesNamedBy(const Configuration& configuration,
+                                                const std::filesystem::path& configurationFile);
+
+/// With the paths of these files absolute.
+Configuration withAbsoluteFiles(Configuration configuration,
+                                const std::filesystem::path& configurationFile);
 
 /// Of a file, or the built-in one where no file is named, with "section.key=value" over it.
 Configuration loadConfiguration(const std::filesystem::path& file,
