@@ -61,6 +61,7 @@ Tally fitAll(const Cli& cli, const vdamf::MeasureOptions& options)
     Tally tally;
     while (const std::optional<vdamf::TableCluster> cluster = table.next())
     {
+        if (vdamf::isInterrupted()) throw std::runtime_error("interrupted; no output was kept");
         const Clock::time_point begin = Clock::now();
         const vdamf::ClusterFit fit = vdamf::fitCluster(*cluster, options);
         tally.fitSeconds += std::chrono::duration<double>(Clock::now() - begin).count();
@@ -89,6 +90,7 @@ void summarise(const Cli& cli, const Tally& tally)
 
 int run(const Cli& cli, const vdamf::MeasureOptions& options)
 {
+    vdamf::catchSignals();
     const Tally tally = fitAll(cli, options);
     if (cli.quiet || vdamf::isStandardOutput(cli.output)) return vdamf::kDone;
     summarise(cli, tally);

@@ -64,5 +64,21 @@ TEST_F(FitErrors, BadUseEndsWithTwoAndOutputsAreNotReplaced)
     EXPECT_THAT(output_, HasSubstr("Example"));
 }
 
+TEST_F(FitErrors, WhatIsInterruptedLeavesNothing)
+{
+    // A pipe that has given some clusters and stays open.
+    make("some.csv", kFitHeader + twoFaces("a", kCar, {0.0, 0.0}) +
+                         twoFaces("b", kCar, {0.0, 0.0}) + twoFaces("c", kCar, {0.0, 0.0}));
+    const Outcome outcome = runShell("cd '" + at("").string() +
+                                     "' && mkfifo pipe && { (cat some.csv; sleep 0.5; cat some.csv "
+                                     "| tail -n +2; sleep 2) > pipe & } && "
+                                     "timeout --preserve-status -s INT 0.3 '" VDAMF_APPS_DIR
+                                     "/vdamf-fit' -i pipe -o fits.csv");
+    EXPECT_EQ(outcome.exitCode, 1) << outcome.output;
+    EXPECT_THAT(outcome.output, HasSubstr("interrupted"));
+    EXPECT_FALSE(fs::exists(at("fits.csv")));
+    EXPECT_FALSE(fs::exists(at("fits.csv.partial")));
+}
+
 }  // namespace
 }  // namespace vdamf
