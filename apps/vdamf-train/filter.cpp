@@ -69,7 +69,7 @@ public:
     {
         if (stop_) throw std::runtime_error("interrupted");
         const auto now = std::chrono::steady_clock::now();
-        if (quiet_ || now - told_ < std::chrono::seconds(1)) return;
+        if (quiet_ || !isTerminal() || now - told_ < std::chrono::seconds(1)) return;
         told_ = now;
         const double passed = std::chrono::duration<double>(now - begin_).count();
         const double left = share > 0.0 ? passed * (1.0 - share) / share : 0.0;

@@ -33,6 +33,28 @@ FilterTrainingOptions fewEvaluations()
     return options;
 }
 
+// Whoever is told how far it is may stop it, in the middle of a search as well.
+TEST(TrainFilter, WhatStopsItIsWhatItThrows)
+{
+    for (const int last : {1, 5, 25})
+    {
+        int told = 0;
+        const auto stop = [&](const std::string&, double)
+        {
+            if (++told == last) throw std::runtime_error("interrupted");
+        };
+        try
+        {
+            trainFilter(conditions({"car"}, 5), MeasureOptions(), fewEvaluations(), stop);
+            ADD_FAILURE() << "it went on past the " << last << "th time";
+        }
+        catch (const std::runtime_error& error)
+        {
+            EXPECT_STREQ(error.what(), "interrupted");
+        }
+    }
+}
+
 TEST(TrainFilter, RepairsAFilterThatIsSetBadly)
 {
     MeasureOptions bad;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <limits>
 #include <nlopt.hpp>
 
@@ -22,6 +23,7 @@ struct GroupProblem
     const std::function<double(const FilterParameters&)>& cost;
     double bestCost = std::numeric_limits<double>::infinity();
     FilterParameters best;
+    std::exception_ptr failure = nullptr;  // of the cost
 
     FilterParameters at(const std::vector<double>& x) const
     {
@@ -47,9 +49,19 @@ struct GroupProblem
     }
 };
 
+// nlopt's own functions would make "nlopt failure" of what the cost throws.
 double costOf(const std::vector<double>& x, std::vector<double>&, void* data)
 {
-    return static_cast<GroupProblem*>(data)->evaluate(x);
+    GroupProblem& problem = *static_cast<GroupProblem*>(data);
+    try
+    {
+        return problem.evaluate(x);
+    }
+    catch (...)
+    {
+        problem.failure = std::current_exception();
+        throw nlopt::forced_stop();
+    }
 }
 }  // namespace
 
@@ -73,7 +85,14 @@ FilterParameters optimiseGroup(const FilterParameters& start, const ParameterGro
     optimizer.set_initial_step(0.2);
     optimizer.set_ftol_abs(1e-5);
     double value = 0.0;
-    optimizer.optimize(x, value);
+    try
+    {
+        optimizer.optimize(x, value);
+    }
+    catch (const nlopt::forced_stop&)
+    {
+        std::rethrow_exception(problem.failure);
+    }
     return problem.best;
 }
 
