@@ -115,6 +115,14 @@ void prepare(CommandLine& line)
         throw std::invalid_argument(line.plots.string() +
                                     ": is no folder, and does not end in .svg");
     }
+    if (!line.plots.empty() && !isOnePicture(line.plots) && !fs::exists(line.plots))
+    {
+        if (line.plots.has_extension())
+            throw std::invalid_argument(line.plots.string() +
+                                        ": charts are .svg; name such a file, or a folder");
+        if (!line.json.empty() && vdamf::sameFile(line.json, line.plots))
+            throw std::invalid_argument(line.plots.string() + ": is named for two outputs");
+    }
 }
 
 std::vector<Output> contentsOf(const CommandLine& line, const vdamf::Evaluation& evaluation)

@@ -41,6 +41,12 @@ TEST_F(EvaluateAppErrors, KeepsInputsAndExistingFiles)
     EXPECT_EQ(contentOf("m.json"), "mine");
     EXPECT_EQ(filesInFolder(), 3U);  // the tables and m.json
     EXPECT_EQ(evaluate("--plots '" + at("m.json").string() + "'").exitCode, 2);
+    const std::string both = at("n.json").string();
+    EXPECT_EQ(evaluate("--json '" + both + "' --plots '" + both + "'").exitCode, 2);
+    const Outcome picture = evaluate("--plots '" + at("charts.png").string() + "'");
+    EXPECT_EQ(picture.exitCode, 2);
+    EXPECT_THAT(picture.output, HasSubstr("charts.png: charts are .svg"));
+    EXPECT_EQ(filesInFolder(), 3U);
 }
 
 TEST_F(EvaluateAppErrors, AFailedJobSaysWhereAndWhy)
