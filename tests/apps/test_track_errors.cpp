@@ -92,6 +92,14 @@ TEST_F(TrackErrors, NamesWhatIsMissingInTheRawlog)
     EXPECT_EQ(filesInFolder(), 2U) << "no output of a failed run stays";
 }
 
+TEST_F(TrackErrors, NamesThePosesThatAreNotThere)
+{
+    const Outcome run = track("-i " + kStreet + out("a.rawlog") +
+                              " --frames 0:5 --set ins.source=gps --set ins.label=mine");
+    EXPECT_EQ(run.exitCode, 1);
+    EXPECT_THAT(run.output, HasSubstr("poses: none with source = gps labelled 'mine'"));
+}
+
 TEST_F(TrackErrors, KeepsWhatWasDoneBeforeATruncation)
 {
     std::ifstream file(kStreet, std::ios::binary);

@@ -54,6 +54,7 @@ TEST_F(OutputFileTest, OutputsAreNeitherInputsNorEachOther)
     EXPECT_EQ(problem({at("a"), at("b")}), "");
     EXPECT_THAT(problem({at("a"), at("c.ini")}), HasSubstr("c.ini: is the configuration"));
     EXPECT_THAT(problem({at("a"), at("./a")}), HasSubstr("named for two outputs"));
+    EXPECT_THAT(problem({"not_there", "./not_there"}), HasSubstr("named for two outputs"));
     EXPECT_THAT(problem({at("a"), at("a.partial")}), HasSubstr("named for two outputs"));
     EXPECT_THAT(problem({"/dev/stdout", "/dev/stdout"}), HasSubstr("named for two outputs"));
     EXPECT_EQ(problem({"/dev/null", "/dev/null"}), "");

@@ -193,8 +193,9 @@ bool sameFile(const fs::path& a, const fs::path& b)
 {
     std::error_code error;
     if (fs::equivalent(a, b, error)) return true;
-    return fs::weakly_canonical(withoutLinks(a), error) ==
-           fs::weakly_canonical(withoutLinks(b), error);
+    const auto place = [&](const fs::path& path)
+    { return fs::weakly_canonical(fs::absolute(withoutLinks(path), error), error); };
+    return place(a) == place(b);
 }
 
 void checkOutputPaths(const std::vector<fs::path>& outputs, const std::vector<NamedInput>& inputs)

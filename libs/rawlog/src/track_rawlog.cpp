@@ -216,6 +216,16 @@ private:
         throw std::runtime_error(job_.input.string() + ": " + whyNoFrame());
     }
 
+    std::string posesAskedFor() const
+    {
+        const InsOptions& ins = job_.configuration.ins;
+        std::string asked;
+        for (const auto& [source, name] : EnumNames<InsSource>::names())
+            if (source == ins.source && source != InsSource::Auto)
+                asked += std::string(" with source = ") + name;
+        return asked + (ins.label.empty() ? "" : " labelled '" + ins.label + "'");
+    }
+
     std::string whyNoFrame() const
     {
         const std::string& label = job_.configuration.scan.label;
@@ -233,7 +243,8 @@ private:
                    std::to_string(scansMet_ - 1);
         if (summary_.withoutPose > 0)
             return "no INS pose at the time of any scan (" + std::to_string(summary_.scans) +
-                   " scans; poses: " + (summary_.insSource.empty() ? "none" : summary_.insSource) +
+                   " scans; poses: " +
+                   (summary_.insSource.empty() ? "none" + posesAskedFor() : summary_.insSource) +
                    "); see section [ins] of the configuration" +
                    (summary_.ins.taken > 0 ? ", and whether scans and poses have one clock" : "");
         return "no scan could be read: " + summary_.firstUnreadable;
