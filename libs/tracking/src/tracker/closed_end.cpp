@@ -8,8 +8,8 @@ namespace vdamf
 {
 namespace
 {
-constexpr double kNarrowest = 2.3;  // m, of buses
-constexpr double kLowest = 2.6;     // m
+constexpr double kNarrowest = 2.3;     // m, of buses
+constexpr double kLowestClosed = 2.6;  // m
 // Bars of trucks end at 0.6 m at most above the ground, their floors begin at a metre.
 constexpr float kAboveBar = 0.66F;    // m
 constexpr float kBelowFloor = 0.95F;  // m
@@ -23,7 +23,7 @@ bool isClosedEnd(const Sighting& sighting, const HitsAtOneTime& seen)
 {
     const Measurement& m = sighting.measurement;
     const bool isNear = (m.box.centre() - sighting.sensor).norm() < kFarthest;
-    const bool isLarge = m.box.width >= kNarrowest && sighting.height >= kLowest;
+    const bool isLarge = m.box.width >= kNarrowest && sighting.height >= kLowestClosed;
     if (!isNear || !isLarge || !m.facesSeen.seesEnd() || seen.hits->heights == 0) return false;
     const float sign = m.facesSeen.has(Face::Front) ? 1.0F : -1.0F;
     const Eigen::Matrix2f axes = rotation(m.box.heading).cast<float>();
