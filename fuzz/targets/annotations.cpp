@@ -14,7 +14,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         {
             const Annotations read = readAnnotations(file.path());
             for (const auto& [stamp, tracks] : read.tables)
-                toCsv(FrameResult{0.0, tracks, 0, 0, 0});
+                toCsv(FrameResult{0.0, tracks, 0, 0, 0, {}});
             const std::atomic<bool> stop{false};
             replayRawlog(file.path(), read, stop,
                          [](const LadarFrame&, const FrameResult&, double) {});

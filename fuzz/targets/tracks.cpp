@@ -12,7 +12,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         [&]
         {
             for (const TrackRow& row : readTracks(file.path()))
-                toCsv(FrameResult{row.time, {row.report}, 0, 0, 0});
+                toCsv(FrameResult{row.time, {row.report}, 0, 0, 0, {}});
         });
     return 0;
 }
