@@ -101,8 +101,8 @@ std::string runId(const RunTask& task, const std::string& rawlogDigest,
         all += part + "\n";
     const Configuration settings =
         readSettings(IniDocument::parse(task.configuration, "the configuration of a run"));
-    for (const fs::path& file : filesNamedBy(settings, {}))
-        all += "with " + digestOfFile(file) + "\n";
+    for (const NamedInput& file : filesNamedBy(settings, {}))
+        if (!file.path.empty()) all += file.name + " " + digestOfFile(file.path) + "\n";
     return digestOf(all + task.configuration);
 }
 

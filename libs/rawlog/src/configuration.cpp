@@ -62,14 +62,12 @@ Configuration readConfiguration(const IniDocument& document)
     return c;
 }
 
-std::vector<std::filesystem::path> filesNamedBy(const Configuration& c,
-                                                const std::filesystem::path& configurationFile)
+std::vector<NamedInput> filesNamedBy(const Configuration& c,
+                                     const std::filesystem::path& configurationFile)
 {
-    std::vector<std::filesystem::path> files;
-    for (const std::string& name :
-         {c.tracker.discriminator.model, c.tracker.measurement.filterFile})
-        if (!name.empty()) files.push_back(namedFile(name, configurationFile));
-    return files;
+    return {{namedFile(c.tracker.discriminator.model, configurationFile), "discriminator.model"},
+            {namedFile(c.tracker.measurement.filterFile, configurationFile),
+             "measurement.filter_file"}};
 }
 
 Configuration withAbsoluteFiles(Configuration c, const std::filesystem::path& configurationFile)

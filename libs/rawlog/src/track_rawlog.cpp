@@ -13,7 +13,6 @@
 #include "pending_entries.h"
 #include "track_outputs.h"
 #include "vdamf/rawlog/annotation.h"
-#include "vdamf/rawlog/named_file.h"
 
 namespace vdamf
 {
@@ -276,13 +275,10 @@ void checkPaths(const TrackRawlogJob& job)
     std::vector<std::filesystem::path> outputs = job.otherOutputs;
     for (const auto& output : {job.output, job.tracks, job.nis})
         if (output) outputs.push_back(*output);
-    const TrackerOptions& tracker = job.configuration.tracker;
-    checkOutputPaths(outputs, {{job.input, "the input"},
-                               {job.configurationFile, "the configuration"},
-                               {namedFile(tracker.discriminator.model, job.configurationFile),
-                                "discriminator.model"},
-                               {namedFile(tracker.measurement.filterFile, job.configurationFile),
-                                "measurement.filter_file"}});
+    std::vector<NamedInput> inputs = filesNamedBy(job.configuration, job.configurationFile);
+    inputs.push_back({job.input, "the input"});
+    inputs.push_back({job.configurationFile, "the configuration"});
+    checkOutputPaths(outputs, inputs);
 }
 
 TrackRawlogSummary trackRawlog(const TrackRawlogJob& job, const std::atomic<bool>& stop,

@@ -85,6 +85,22 @@ DriveByParked driveByParked(double step, bool align)
     return result;
 }
 
+// A car that stands along the x-axis and is known well.
+Track standingAt(double x, double y)
+{
+    Track track;
+    track.stoodProbability = 0.9;
+    track.sightings = 5;
+    for (VehicleState* state : {&track.state, &track.hypotheses->standing})
+    {
+        state->mean << x, y, 0.0, 0.0, 0.0, 1.0, 4.4;
+        state->covariance = 1e-4 * StateMatrix::Identity();
+        state->width = 1.8;
+        state->widthVariance = 1e-4;
+    }
+    return track;
+}
+
 TEST(Alignment, KeepsParkedCarsWhereTheyAreThoughPosesErr)
 {
     const DriveByParked with = driveByParked(0.1, true);
@@ -140,19 +156,8 @@ TEST(Alignment, ItsErrorDoesNotGrowWithoutEnd)
 {
     AlignmentOptions options;
     Alignment alignment(options);
-    Track car;
-    car.stoodProbability = 0.9;
-    car.sightings = 5;
-    for (VehicleState* state : {&car.state, &car.hypotheses->standing})
-    {
-        state->mean << 12.0, -4.0, 0.0, 0.0, 0.0, 1.0, 4.4;
-        state->covariance = 1e-4 * StateMatrix::Identity();
-        state->width = 1.8;
-        state->widthVariance = 1e-4;
-    }
-    Track other = car;
-    for (VehicleState* state : {&other.state, &other.hypotheses->standing})
-        state->mean.head<2>() << 20.0, -5.0;
+    const Track car = standingAt(12.0, -4.0);
+    const Track other = standingAt(20.0, -5.0);
     std::mt19937 random(13);
     std::normal_distribution<double> gauss;
     const auto sightingOfTrack = [](const Track& track, const Eigen::Vector2d& off)
@@ -196,16 +201,7 @@ TEST(Alignment, MovesReportsAndTellsThatTheyAreLessSure)
 
 TEST(Alignment, TakesStandingTracksThatAreKnown)
 {
-    Track stands;
-    stands.stoodProbability = 0.9;
-    stands.sightings = 5;
-    for (VehicleState* state : {&stands.state, &stands.hypotheses->standing})
-    {
-        state->mean << 12.0, -4.0, 0.0, 0.0, 0.0, 1.0, 4.4;
-        state->covariance = 1e-4 * StateMatrix::Identity();
-        state->width = 1.8;
-        state->widthVariance = 1e-4;
-    }
+    const Track stands = standingAt(12.0, -4.0);
     Track moves = stands;
     moves.stoodProbability = 0.2;
     Track fresh = stands;

@@ -79,6 +79,19 @@ TEST(Existence, WhereTheSensorDoesNotLookNothingIsMissed)
     EXPECT_EQ(shareSeenThrough(kCarAhead, view), 0.0);
 }
 
+TEST(Existence, NoHitSpeaksAgainstATrack)
+{
+    for (const double probability : {0.1, 0.3, 0.9})
+    {
+        LifecycleOptions options;
+        options.hitProbability = probability;
+        Track track = trackAhead(0.1);
+        const double before = track.existence;
+        for (int k = 1; k < 20; ++k) track = withHit(std::move(track), 0.1 * k, options);
+        EXPECT_GE(track.existence, before) << probability;
+    }
+}
+
 TEST(Existence, TracksEndSoonWhereTheyWouldBeSeen)
 {
     const RangeProfile open = profileWith(0.0, kFar);

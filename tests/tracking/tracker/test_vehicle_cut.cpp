@@ -27,16 +27,21 @@ void addWall(Cluster& cluster, const Eigen::Vector2f& from, const Eigen::Vector2
         }
 }
 
-// The side of a car from -2 to 2 m ahead, 4 m to the left, and a bush that goes on behind it
-// without a dent between them.
-SegmentedFrame carAtABush()
+// The side of a car from -2 to 2 m ahead, 4 m to the left, and a bush that goes on behind it.
+SegmentedFrame carAndBush(const Eigen::Vector2f& from, const Eigen::Vector2f& to)
 {
     SegmentedFrame frame;
     frame.clusters.resize(1);
     addWall(frame.clusters[0], {2.0F, 4.0F}, {-2.0F, 4.0F}, 40);
-    addWall(frame.clusters[0], {-2.7F, 4.1F}, {-7.0F, 5.0F}, 40);
+    addWall(frame.clusters[0], from, to, 40);
     frame.points = frame.clusters[0].size();
     return frame;
+}
+
+// Without a dent between them.
+SegmentedFrame carAtABush()
+{
+    return carAndBush({-2.7F, 4.1F}, {-7.0F, 5.0F});
 }
 
 PredictedTarget sureCar()
@@ -61,15 +66,10 @@ SegmentedFrame cutFor(const std::vector<PredictedTarget>& targets)
                               Neighbourhood(), Discriminator(options.discriminator), options);
 }
 
-// The same before a bush that comes as near as the car does, behind a dent.
+// The bush comes as near as the car does, behind a dent.
 SegmentedFrame carBeforeADent()
 {
-    SegmentedFrame frame;
-    frame.clusters.resize(1);
-    addWall(frame.clusters[0], {2.0F, 4.0F}, {-2.0F, 4.0F}, 40);
-    addWall(frame.clusters[0], {-2.3F, 5.4F}, {-7.0F, 4.2F}, 40);
-    frame.points = frame.clusters[0].size();
-    return frame;
+    return carAndBush({-2.3F, 5.4F}, {-7.0F, 4.2F});
 }
 
 // Clusters by a discriminator that takes every piece for a vehicle, before a track that has been

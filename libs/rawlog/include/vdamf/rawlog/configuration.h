@@ -2,9 +2,12 @@
 // All options of a tracking run, and their ini form: config.ini.
 #pragma once
 
+#include <filesystem>
 #include <string>
+#include <vector>
 
 #include "vdamf/files/ini.h"
+#include "vdamf/files/output_file.h"
 #include "vdamf/rawlog/ins_trajectory.h"
 #include "vdamf/tracking/tracker/tracker.h"
 
@@ -73,9 +76,9 @@ Configuration readConfiguration(const IniDocument& document);
 /// The same without them.
 Configuration readSettings(const IniDocument& document);
 
-/// Files that it names: [discriminator] model and [measurement] filter_file, where they do.
-std::vector<std::filesystem::path> filesNamedBy(const Configuration& configuration,
-                                                const std::filesystem::path& configurationFile);
+/// The files that it names, each with its key; without a path where it names none.
+std::vector<NamedInput> filesNamedBy(const Configuration& configuration,
+                                     const std::filesystem::path& configurationFile);
 
 /// With the paths of these files absolute.
 Configuration withAbsoluteFiles(Configuration configuration,
