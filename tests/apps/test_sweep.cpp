@@ -70,6 +70,17 @@ TEST_F(SweepProgram, AnotherModelOfTheSameNameIsAnotherRun)
     EXPECT_THAT(config.output, HasSubstr(at("models").string())) << config.output;
 }
 
+TEST_F(SweepProgram, NoModelIsNoFile)
+{
+    make("conf.ini", "[discriminator]\nmodel = none\n");
+    writeSweep("config = conf.ini\n", "measurement.sigma_m = 0.2");
+    const Outcome off = sweep("off");
+    EXPECT_EQ(off.exitCode, 0) << off.output;
+    writeSweep("", "discriminator.model = none");
+    const Outcome varied = sweep("varied");
+    EXPECT_EQ(varied.exitCode, 0) << varied.output;
+}
+
 TEST_F(SweepProgram, KilledAndStartedAgainGivesTheSameTable)
 {
     writeSweep("", "measurement.sigma_m = 0.10 : 0.04 : 0.38");

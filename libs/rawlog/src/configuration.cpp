@@ -65,18 +65,21 @@ Configuration readConfiguration(const IniDocument& document)
 std::vector<NamedInput> filesNamedBy(const Configuration& c,
                                      const std::filesystem::path& configurationFile)
 {
-    return {{namedFile(c.tracker.discriminator.model, configurationFile), "discriminator.model"},
+    const DiscriminatorOptions& discriminator = c.tracker.discriminator;
+    const std::string model = discriminator.isOff() ? "" : discriminator.model;
+    return {{namedFile(model, configurationFile), "discriminator.model"},
             {namedFile(c.tracker.measurement.filterFile, configurationFile),
              "measurement.filter_file"}};
 }
 
 Configuration withAbsoluteFiles(Configuration c, const std::filesystem::path& configurationFile)
 {
-    for (std::string* name : {&c.tracker.discriminator.model, &c.tracker.measurement.filterFile})
-        if (!name->empty())
-            *name = std::filesystem::absolute(namedFile(*name, configurationFile))
-                        .lexically_normal()
-                        .string();
+    std::string* const names[] = {&c.tracker.discriminator.model,
+                                  &c.tracker.measurement.filterFile};
+    const std::vector<NamedInput> files = filesNamedBy(c, configurationFile);
+    for (std::size_t k = 0; k < files.size(); ++k)
+        if (!files[k].path.empty())
+            *names[k] = std::filesystem::absolute(files[k].path).lexically_normal().string();
     return c;
 }
 
