@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vdamf/experiments/setting_configuration.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "split.h"
@@ -26,7 +27,9 @@ std::string problemsOfKey(const std::string& message, const std::string& where)
 // Files are named as seen from the sweep's file.
 std::string assignment(const SweepFile& file, const std::string& key, const std::string& value)
 {
-    const bool namesFile = key == "discriminator.model" || key == "measurement.filter_file";
+    const std::vector<NamedInput> files = filesNamedBy({}, {});
+    const bool namesFile = std::any_of(files.begin(), files.end(),
+                                       [&](const NamedInput& one) { return one.name == key; });
     const std::filesystem::path path = namesFile && !value.empty() ? file.resolved(value) : "";
     return key + "=" + (std::filesystem::exists(path) ? path.string() : value);
 }

@@ -2,9 +2,9 @@
 #include "vdamf/rawlog/configuration.h"
 
 #include "discriminator_file.h"
+#include "named_file.h"
 #include "vdamf/files/numbers.h"
 #include "vdamf/rawlog/filter_file.h"
-#include "vdamf/rawlog/named_file.h"
 
 namespace vdamf
 {

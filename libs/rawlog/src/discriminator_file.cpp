@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "named_file.h"
 #include "vdamf/files/text_file.h"
-#include "vdamf/rawlog/named_file.h"
 
 namespace vdamf
 {

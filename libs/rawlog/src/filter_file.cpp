@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "named_file.h"
 #include "vdamf/files/ini.h"
 #include "vdamf/files/text_file.h"
-#include "vdamf/rawlog/named_file.h"
 
 namespace vdamf
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vdamf/rawlog/named_file.h"
+#include "named_file.h"
 
 namespace vdamf
 {

@@ -196,16 +196,6 @@ Track withMiss(Track track, const OpenView& view, const Unseen& unseen,
     return track;
 }
 
-Track endedUnseen(Track track)
-{
-    track.status = TrackStatus::Ended;
-    track.hits = 0;
-    track.measurement.reset();
-    track.nis.reset();
-    track.judgement.features.clear();
-    return track;
-}
-
 std::vector<Track> withoutEnded(std::vector<Track> tracks)
 {
     const auto isEnded = [](const Track& t) { return t.status == TrackStatus::Ended; };

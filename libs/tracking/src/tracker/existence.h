@@ -45,9 +45,6 @@ Track withConfirmation(Track track, const LifecycleOptions& options);
 Track withMiss(Track track, const OpenView& view, const Unseen& unseen,
                const LifecycleOptions& options);
 
-/// The track as it ends without another frame.
-Track endedUnseen(Track track);
-
 /// Those that go on.
 std::vector<Track> withoutEnded(std::vector<Track> tracks);
 

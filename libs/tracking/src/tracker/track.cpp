@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "tracker/existence.h"
 #include "vdamf/tracking/estimation/unseen.h"
@@ -60,6 +61,15 @@ Track movedBy(Track track, const PlaneMotion& by)
     return track;
 }
 
+Track withoutSighting(Track track)
+{
+    track.hits = 0;
+    track.measurement.reset();
+    track.nis.reset();
+    track.judgement.features.clear();
+    return track;
+}
+
 Track predictedTrack(Track track, double dt, const Eigen::Vector2d& sensor,
                      VehicleKalmanFilter& filter, const MotionOptions& options)
 {
@@ -75,11 +85,7 @@ Track predictedTrack(Track track, double dt, const Eigen::Vector2d& sensor,
     if (track.misses > 0) *track.hypotheses = unseen(*track.hypotheses, dt);
     track.state = track.hypotheses->combined(options);
     if (track.hits > 0) track.lastHits = track.hits;
-    track.hits = 0;
-    track.measurement.reset();
-    track.nis.reset();
-    track.judgement.features.clear();
-    return track;
+    return withoutSighting(std::move(track));
 }
 
 TrackReport reportOf(const Track& track, const OrientedBox& extent,

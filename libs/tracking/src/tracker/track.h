@@ -145,6 +145,9 @@ Track movedBy(Track track, const Eigen::Vector3d& by);
 /// By a small motion of all that there is; its turn does not matter to covariances.
 Track movedBy(Track track, const PlaneMotion& by);
 
+/// The track before anything is seen of it in a frame.
+Track withoutSighting(Track track);
+
 /// The track `dt` seconds later, for a frame seen from `sensor`.
 Track predictedTrack(Track track, double dt, const Eigen::Vector2d& sensor,
                      VehicleKalmanFilter& filter, const MotionOptions& options);

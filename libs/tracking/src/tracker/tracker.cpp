@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "association/loose_hits.h"
 #include "tracker/alignment.h"
@@ -99,19 +100,18 @@ private:
         if (observer_) observer_(&stage);
     }
 
-    // Nothing is known again after a time that is longer than any vehicle is waited for: all tracks
-    // end as they were.
+    // Nothing is known again after longer than any vehicle is waited for: all end as they were.
     std::vector<TrackReport> lostOverGap(double time)
     {
         constexpr double kSlowest = 2.0;  // s between the frames of slow sensors
         std::vector<TrackReport> lost;
         if (!time_ || time - *time_ <= std::max(kSlowest, options_.lifecycle.maxCoast)) return lost;
-        for (Track& track : tracks_)
+        for (Track& before : std::exchange(tracks_, {}))
         {
-            track = endedUnseen(std::move(track));
+            Track track = withoutSighting(std::move(before));
+            track.status = TrackStatus::Ended;
             lost.push_back(reportAt(origin_, track));
         }
-        tracks_.clear();
         return lost;
     }
 
