@@ -26,6 +26,7 @@ protected:
     static std::string pose(double time, double x)
     {
         mrpt::obs::CObservationRobotPose pose;
+        pose.sensorLabel = "ins";
         pose.timestamp = mrpt::Clock::fromDouble(1.7e9 + time);
         pose.pose.mean = mrpt::poses::CPose3D(x, 0.0, 0.0, 0.0, 0.0, 0.0);
         return serialized(pose);
@@ -149,6 +150,20 @@ TEST_F(OddInputs, PosesThatCannotBeAreNone)
         EXPECT_EQ(run.exitCode, 1);
         EXPECT_THAT(run.output, HasSubstr("no INS pose at the time of any scan"));
     }
+}
+
+TEST_F(OddInputs, LabelsThatAreThereAreToldWhereNoneFits)
+{
+    make("in.rawlog", drive(3, 0.1));
+    const std::string run = in("in.rawlog") + " --tracks " + path("t.csv");
+    EXPECT_THAT(
+        track(run + " --set scan.label=nosuch").output,
+        HasSubstr("no scans labelled 'nosuch' ([scan] label) among its 6 objects, but those "
+                  "labelled 'lidar'"));
+    EXPECT_THAT(track(run + " --set ins.label=nosuch").output,
+                HasSubstr("poses: none labelled 'nosuch' ([ins] label), but those labelled 'ins'"));
+    EXPECT_THAT(track(run + " --set ins.label=ins --set ins.source=gps").output,
+                HasSubstr("poses: none with source = gps labelled 'ins' ([ins] label)); see"));
 }
 
 TEST_F(OddInputs, ClocksThatDifferAreSuspected)

@@ -5,6 +5,7 @@
 #include <mrpt/obs/CObservationIMU.h>
 #include <mrpt/obs/CSensoryFrame.h>
 
+#include "first_labels.h"
 #include "imu_attitudes.h"
 #include "ins_reading.h"
 #include "ins_sensor.h"
@@ -55,6 +56,7 @@ struct InsTrajectory::Impl
     InsSensor actions;
     Eigen::Isometry3d moved = Eigen::Isometry3d::Identity();  // by all actions
     bool movementWaits = false;                               // for a time
+    std::vector<std::string> labels;
 
     InsSensor& of(InsSource one)
     {
@@ -84,7 +86,9 @@ struct InsTrajectory::Impl
     void insert(const std::string& label, const InsReading& reading)
     {
         const InsSource from = sourceOf(reading);
-        if (source == InsSource::Auto || source == from) of(from).insert(label, reading);
+        if (source != InsSource::Auto && source != from) return;
+        addLabel(labels, label);
+        of(from).insert(label, reading);
     }
 
     void insert(const VehicleMovement& movement)
@@ -197,6 +201,7 @@ std::size_t InsTrajectory::samplesDropped() const
 InsReport InsTrajectory::report() const
 {
     InsReport report = impl_->chosen().report();
+    report.labels = impl_->labels;
     // As long as no source is chosen, any could have been it.
     if (impl_->source == InsSource::Auto)
         for (const InsSource one : kInOrder)

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <map>
 
+#include "first_labels.h"
 #include "vdamf/rawlog/annotation.h"
 
 namespace vdamf
@@ -48,6 +49,7 @@ PendingEntries::PendingEntries(RawlogReader& reader, InsTrajectory& ins, ScanOpt
 bool PendingEntries::counts(const mrpt::obs::CObservation& observation)
 {
     if (!isScan(observation)) return false;
+    addLabel(scanLabels_, observation.sensorLabel);
     if (!options_.label.empty()) return observation.sensorLabel == options_.label;
     if (isMinorScan(observation)) return minorCount_;
     minorCount_ = false;

@@ -55,6 +55,8 @@ public:
     std::vector<PendingScan*> partnersOf(const PendingScan& scan);
     /// Why the rawlog could not be read on; empty: it could. The entries before are as always.
     const std::string& readError() const { return readError_; }
+    /// Of all scans, those that do not count too, the first eight.
+    const std::vector<std::string>& scanLabels() const { return scanLabels_; }
     /// True where an entry has annotations that are not written yet.
     bool holdsAnnotations() const;
 
@@ -76,6 +78,7 @@ private:
     std::size_t bytes_ = 0;
     bool atEnd_ = false;
     std::string readError_;
+    std::vector<std::string> scanLabels_;
 };
 
 }  // namespace vdamf

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <algorithm>
 #include <stdexcept>
 
+#include "first_labels.h"
 #include "frame_maker.h"
 #include "pending_entries.h"
 #include "vdamf/rawlog/annotated_rawlog.h"
@@ -60,8 +60,9 @@ private:
         ++summary_.frames;
         ++counts_.frames;
         counts_.lastTime = frame->time;
-        note(scan.observation->sensorLabel);
-        for (const PendingScan* partner : partners) note(partner->observation->sensorLabel);
+        addLabel(summary_.labels, scan.observation->sensorLabel);
+        for (const PendingScan* partner : partners)
+            addLabel(summary_.labels, partner->observation->sensorLabel);
         FrameResult result;
         result.time = frame->time;
         result.tracks = tracks;
@@ -70,14 +71,6 @@ private:
         if (alignment != annotations_.alignments.end()) result.alignment = alignment->second;
         listener_(result.alignment.isNone() ? *frame : movedBy(*frame, result.alignment), result,
                   reader_.progress());
-    }
-
-    void note(const std::string& label)
-    {
-        constexpr std::size_t kNamed = 8;
-        std::vector<std::string>& all = summary_.labels;
-        if (all.size() < kNamed && std::find(all.begin(), all.end(), label) == all.end())
-            all.push_back(label);
     }
 
     const Annotations& annotations_;

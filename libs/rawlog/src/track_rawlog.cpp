@@ -9,10 +9,12 @@
 #include <set>
 #include <stdexcept>
 
+#include "first_labels.h"
 #include "frame_maker.h"
 #include "pending_entries.h"
 #include "track_outputs.h"
 #include "vdamf/rawlog/annotation.h"
+#include "why_no_frame.h"
 
 namespace vdamf
 {
@@ -120,8 +122,9 @@ private:
                const std::vector<PendingScan*>& partners)
     {
         summary_.scans += 1 + partners.size();
-        noteSensor(scan.observation->sensorLabel);
-        for (const PendingScan* partner : partners) noteSensor(partner->observation->sensorLabel);
+        addLabel(summary_.sensors, scan.observation->sensorLabel);
+        for (const PendingScan* partner : partners)
+            addLabel(summary_.sensors, partner->observation->sensorLabel);
         const std::optional<LadarFrame> frame = frameOf(scan, pose, partners);
         if (!frame) return;
         const FrameResult result = tracker_.process(*frame);
@@ -136,14 +139,6 @@ private:
         const bool isElsewhere = !result.alignment.isNone();
         listener_(isElsewhere ? movedBy(*frame, result.alignment) : *frame, result,
                   reader_.progress());
-    }
-
-    void noteSensor(const std::string& label)
-    {
-        constexpr std::size_t kSensorsNamed = 8;
-        std::vector<std::string>& all = summary_.sensors;
-        if (all.size() < kSensorsNamed && std::find(all.begin(), all.end(), label) == all.end())
-            all.push_back(label);
     }
 
     std::optional<LadarFrame> frameOf(const PendingScan& scan,
@@ -202,6 +197,7 @@ private:
         summary_.readError = pending_.readError();
         summary_.insSource = ins_.sourceName();
         summary_.ins = ins_.report();
+        summary_.scanLabels = pending_.scanLabels();
         summary_.nis = nis_.report();
         if (summary_.frames > 0) outputs_.write(summary_.nis);
     }
@@ -212,41 +208,8 @@ private:
         if (summary_.frames > 0) return;
         outputs_.discard();
         if (!summary_.readError.empty()) throw ReadError(summary_.readError);
-        throw std::runtime_error(job_.input.string() + ": " + whyNoFrame());
-    }
-
-    std::string posesAskedFor() const
-    {
-        const InsOptions& ins = job_.configuration.ins;
-        std::string asked;
-        for (const auto& [source, name] : EnumNames<InsSource>::names())
-            if (source == ins.source && source != InsSource::Auto)
-                asked += std::string(" with source = ") + name;
-        return asked + (ins.label.empty() ? "" : " labelled '" + ins.label + "'");
-    }
-
-    std::string whyNoFrame() const
-    {
-        const std::string& label = job_.configuration.scan.label;
-        if (scansMet_ == 0 && summary_.unstamped > 0)
-            return "none of its " + std::to_string(summary_.unstamped) +
-                   " scans has a time stamp, without which it has no pose";
-        if (scansMet_ == 0)
-            return "no scans" +
-                   (label.empty() ? " (of a class that can be tracked on)"
-                                  : " labelled '" + label + "' ([scan] label)") +
-                   " among its " + std::to_string(summary_.read.objects) + " objects";
-        if (summary_.scans == 0)
-            return "no frame in the range asked for: it begins at frame " +
-                   std::to_string(job_.firstFrame) + ", the rawlog has the frames 0 to " +
-                   std::to_string(scansMet_ - 1);
-        if (summary_.withoutPose > 0)
-            return "no INS pose at the time of any scan (" + std::to_string(summary_.scans) +
-                   " scans; poses: " +
-                   (summary_.insSource.empty() ? "none" + posesAskedFor() : summary_.insSource) +
-                   "); see section [ins] of the configuration" +
-                   (summary_.ins.taken > 0 ? ", and whether scans and poses have one clock" : "");
-        return "no scan could be read: " + summary_.firstUnreadable;
+        throw std::runtime_error(job_.input.string() + ": " +
+                                 whyNoFrame(job_, summary_, scansMet_));
     }
 
     const TrackRawlogJob& job_;

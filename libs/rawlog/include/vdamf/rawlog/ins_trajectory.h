@@ -111,6 +111,7 @@ struct InsReport
     double firstGapAt = 0.0;       ///< begin of the first one, s (UNIX)
     /// Heading of the IMU less the course, mean over the way driven, rad; nothing if not compared.
     std::optional<double> imuLessCourse;
+    std::vector<std::string> labels;  ///< of all poses from a source asked for, the first eight
 };
 
 /// The vehicle's path from its INS: cubic Hermite interpolation for the position (from the

@@ -57,6 +57,7 @@ struct TrackRawlogSummary
     std::uint64_t partlyDeskewed = 0;        ///< scans with hits at whose time there is no INS pose
     std::string firstUnreadable;             ///< why
     std::vector<std::string> sensors;        ///< labels of the scans, the first eight
+    std::vector<std::string> scanLabels;     ///< also of those not tracked on, the first eight
     std::uint64_t tracksConfirmed = 0;       ///< different identities that were confirmed
     double firstTime = 0.0, lastTime = 0.0;  ///< of the frames, s (UNIX)
     std::string insSource;
