@@ -97,8 +97,10 @@ inline void warn(const TrackRawlogSummary& s, const std::string& input)
             std::fprintf(stderr, "%s: %llu %s\n", input.c_str(),
                          static_cast<unsigned long long>(count), what.c_str());
     };
-    line(s.withoutPose,
-         "scans skipped: no INS pose at their time, nor within a second of entries behind them");
+    line(s.withoutPose, "scans skipped: no INS pose at their time");
+    line(s.poseTooLate,
+         "of them have one later in the rawlog: a scan waits for its pose for one second of "
+         "entries");
     warnOfTimes(s, input);
     line(s.unstamped, "scans skipped: without a time stamp");
     line(s.unreadable, "scans skipped: " + s.firstUnreadable);

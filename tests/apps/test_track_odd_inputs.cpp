@@ -142,6 +142,36 @@ TEST_F(OddInputs, SensorsOfOneLabelAreSuspected)
                                   HasSubstr("give each its own")));
 }
 
+TEST_F(OddInputs, PosesThatStandTooFarBehindAreTold)
+{
+    const auto late = [&](double delay)
+    {
+        std::string bytes;
+        const int behind = static_cast<int>(std::lround(10.0 * delay));
+        for (int i = 0; i < 40; ++i)
+        {
+            bytes += scan(0.1 * i);
+            if (i >= behind) bytes += pose(0.1 * (i - behind), 0.0);
+        }
+        for (int i = 40 - behind; i < 40; ++i) bytes += pose(0.1 * i, 0.0);
+        return trackOf(bytes);
+    };
+    EXPECT_THAT(late(0.8).output, HasSubstr("frames             40 of 40 scans"));
+    const Outcome run = late(2.0);
+    EXPECT_EQ(run.exitCode, 0) << run.output;
+    EXPECT_THAT(run.output, AllOf(HasSubstr("30 scans skipped: no INS pose at their time"),
+                                  HasSubstr("30 of them have one later in the rawlog")));
+    std::string behindAll;
+    for (int i = 0; i < 40; ++i) behindAll += scan(0.1 * i);
+    behindAll += scan(9.0) + scan(9.1) + pose(0.0, 0.0) + pose(0.1, 0.0);
+    EXPECT_THAT(trackOf(behindAll).output,
+                HasSubstr("but for 3 of them more than a second behind"));
+    // One that is nowhere.
+    const Outcome gap = trackOf(drive(9, 0.1) + scan(50.0) + pose(99.0, 0.0));
+    EXPECT_THAT(gap.output, AllOf(HasSubstr("1 scans skipped: no INS pose at their time"),
+                                  Not(HasSubstr("later in the rawlog"))));
+}
+
 TEST_F(OddInputs, PosesThatCannotBeAreNone)
 {
     for (const double x : {std::numeric_limits<double>::quiet_NaN(), 1e300, 1e9})

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <stdexcept>
 
@@ -114,8 +115,23 @@ private:
         const std::optional<VehiclePose> pose = ins_.at(scan.time);
         if (scansMet_++ >= job_.firstFrame) track(scan, pose, partners);
         // Only where the stamp is one of the recording's: a wild one would forget all poses.
+        if (!pose) return;
         constexpr double kPosesKept = 10.0;  // s
-        if (pose) ins_.forgetBefore(scan.time - kPosesKept);
+        countLatePoses(scan.time - kPosesKept);
+        ins_.forgetBefore(scan.time - kPosesKept);
+    }
+
+    /// Of the scans that were skipped, those of which the pose has been met since. Those before the
+    /// time are given up.
+    void countLatePoses(double forgotten)
+    {
+        const auto settled = [&](double time)
+        {
+            const bool late = ins_.at(time).has_value();
+            summary_.poseTooLate += late ? 1 : 0;
+            return late || time < forgotten;
+        };
+        skipped_.erase(std::remove_if(skipped_.begin(), skipped_.end(), settled), skipped_.end());
     }
 
     void track(PendingScan& scan, const std::optional<VehiclePose>& pose,
@@ -125,7 +141,9 @@ private:
         addLabel(summary_.sensors, scan.observation->sensorLabel);
         for (const PendingScan* partner : partners)
             addLabel(summary_.sensors, partner->observation->sensorLabel);
+        const std::uint64_t withoutPose = summary_.withoutPose;
         const std::optional<LadarFrame> frame = frameOf(scan, pose, partners);
+        if (!pose && summary_.withoutPose > withoutPose) skipped_.push_back(scan.time);
         if (!frame) return;
         const FrameResult result = tracker_.process(*frame);
         account(result);
@@ -193,6 +211,7 @@ private:
     void finishSummary(bool interrupted)
     {
         summary_.interrupted = interrupted;
+        countLatePoses(-std::numeric_limits<double>::infinity());
         summary_.read = reader_.summary();
         summary_.readError = pending_.readError();
         summary_.insSource = ins_.sourceName();
@@ -223,6 +242,7 @@ private:
     TrackOutputs outputs_;
     NisCollector nis_;
     std::set<std::uint64_t> confirmed_;  // that live
+    std::vector<double> skipped_;        // times of scans without a pose, s (UNIX)
     std::uint64_t scansMet_ = 0;         // before the range and in it
     std::optional<double> firstScanTime_;
     std::optional<double> firstEntryTime_;

@@ -53,6 +53,9 @@ std::string whyNoFrame(const TrackRawlogJob& job, const TrackRawlogSummary& summ
     if (summary.withoutPose > 0)
         return "no INS pose at the time of any scan (" + std::to_string(summary.scans) +
                " scans; poses: " + posesText(job, summary) +
+               (summary.poseTooLate > 0 ? ", but for " + std::to_string(summary.poseTooLate) +
+                                              " of them more than a second behind in the rawlog"
+                                        : "") +
                "); see section [ins] of the configuration" +
                (summary.ins.taken > 0 ? ", and whether scans and poses have one clock" : "");
     return "no scan could be read: " + summary.firstUnreadable;

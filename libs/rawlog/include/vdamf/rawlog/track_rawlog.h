@@ -48,6 +48,7 @@ struct TrackRawlogSummary
     std::uint64_t scans = 0;                 ///< in the range asked for, with a time stamp
     std::uint64_t frames = 0;                ///< tracked and annotated
     std::uint64_t withoutPose = 0;           ///< scans skipped: no INS pose at their time
+    std::uint64_t poseTooLate = 0;           ///< of these: it stands too far behind in the file
     std::uint64_t outOfOrder = 0;            ///< scans skipped: earlier than the one before
     std::uint64_t atOneTime = 0;             ///< scans skipped: at the time of the one before
     std::uint64_t unstamped = 0;             ///< scans skipped: without a time stamp
