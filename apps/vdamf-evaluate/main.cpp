@@ -12,6 +12,7 @@
 #include "program.h"
 #include "vdamf/evaluation/evaluation.h"
 #include "vdamf/evaluation/evaluation_json.h"
+#include "vdamf/files/folder.h"
 #include "vdamf/files/output_file.h"
 #include "vdamf/report/evaluation_plots.h"
 #include "vdamf/report/evaluation_text.h"
@@ -187,7 +188,7 @@ int run(const CommandLine& line)
     const std::vector<vdamf::TrackRow> tracks = vdamf::readTracks(line.tracks);
     warnOfFramesWithoutTruth(truth, tracks);
     const vdamf::Evaluation evaluation = vdamf::evaluate(truth, tracks, line.options);
-    if (!line.plots.empty() && !isOnePicture(line.plots)) fs::create_directories(line.plots);
+    if (!line.plots.empty() && !isOnePicture(line.plots)) vdamf::makeFolder(line.plots);
     write(contentsOf(line, evaluation), line.overwrite);
     std::string text = vdamf::evaluationText(evaluation);
     if (line.objects) text += "\n" + vdamf::objectsText(evaluation);

@@ -16,6 +16,7 @@
 #include "vdamf/experiments/metric_names.h"
 #include "vdamf/experiments/setting_configuration.h"
 #include "vdamf/experiments/sweep.h"
+#include "vdamf/files/folder.h"
 #include "worker.h"
 
 namespace
@@ -114,7 +115,7 @@ int sweepAll(const CommandLine& line, const vdamf::PreparedSweep& sweep,
              const vdamf::SweepProgram& program)
 {
     const std::atomic<bool>& interrupted = vdamf::catchSignals();
-    fs::create_directories(line.folder);
+    vdamf::makeFolder(line.folder);
     const vdamf::FolderLock lock(line.folder);
     if (!line.resume) forgetRuns(line.folder);
     vdamf::writeSweepCopy(sweep, line.folder);

@@ -11,6 +11,7 @@
 #include "outputs.h"
 #include "pictures.h"
 #include "quality.h"
+#include "vdamf/files/folder.h"
 #include "vdamf/files/numbers.h"
 
 namespace vdamf
@@ -177,7 +178,7 @@ void checkLeaveOut(const ClassifierJob& job)
 void trainClassifier(const ClassifierJob& job, const std::atomic<bool>& stop)
 {
     checkFiles(job.recordings);
-    if (!job.plots.empty()) std::filesystem::create_directories(job.plots);
+    if (!job.plots.empty()) makeFolder(job.plots);
     Outputs outputs(outputsOf(job), job.overwrite);
     SampleCollection collection = collectAll(job, stop);
     const auto progress = [&](const std::string& line)

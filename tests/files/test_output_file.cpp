@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "temporary_folder.h"
+#include "vdamf/files/folder.h"
 #include "vdamf/files/output_file.h"
 
 namespace vdamf
@@ -245,6 +246,16 @@ TEST_F(OutputFileTest, NamesWhatCannotBeWritten)
             at("folder"), std::filesystem::perms::owner_read | std::filesystem::perms::owner_exec);
         EXPECT_THAT(errorFor(at("folder/out")), HasSubstr("Permission denied; choose a folder"));
     }
+}
+
+TEST_F(OutputFileTest, AFolderThatCannotBeMadeIsNamed)
+{
+    make("file", "");
+    EXPECT_EQ(errorOf([&] { makeFolder(at("file/in/it")); }),
+              at("file/in/it").string() + ": cannot make this folder: Not a directory");
+    makeFolder(at("new/in/it"));
+    makeFolder(at("new/in/it"));
+    EXPECT_TRUE(std::filesystem::is_directory(at("new/in/it")));
 }
 
 TEST_F(OutputFileTest, ReportsAFullDisk)
