@@ -259,7 +259,9 @@ TEST(Ini, ChecksValuesAgainstEachOther)
     reader.read("paint", options);
     reader.require(options.gap < 1.0, "this holds");
     reader.require(options.gap > 1.0, "paint.gap_m = 0.4 must be above paint.room_m = 1");
+    reader.require(false, "paint is wet", 1);
     const std::string error = errorOf([&] { reader.finish(); });
+    EXPECT_THAT(error, HasSubstr("a.ini:1: paint is wet"));
     EXPECT_THAT(error, HasSubstr("a.ini: paint.gap_m = 0.4 must be above paint.room_m = 1"));
     EXPECT_THAT(error, HasSubstr("gap_n"));
     EXPECT_THAT(error, ::testing::Not(HasSubstr("this holds")));

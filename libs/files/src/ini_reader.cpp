@@ -132,9 +132,10 @@ void IniReader::findUnknown()
     }
 }
 
-void IniReader::require(bool condition, const std::string& problem)
+void IniReader::require(bool condition, const std::string& problem, int line)
 {
-    if (!condition) problems_.push_back(document_.fileName() + ": " + problem);
+    const std::string place = line > 0 ? ":" + std::to_string(line) : "";
+    if (!condition) problems_.push_back(document_.fileName() + place + ": " + problem);
 }
 
 void IniReader::finish()

@@ -48,15 +48,14 @@ struct AllKeys
 {
     IniReader& reader;
     const IniSection& section;
-    const std::string& name;
 
     template <class Value, class... More>
     void operator()(Value&, const char* key, const More&...) const
     {
         const bool isThere = std::any_of(section.entries.begin(), section.entries.end(),
                                          [&](const IniEntry& e) { return e.key == key; });
-        reader.require(isThere, name + ":" + std::to_string(section.line) + ": [" + section.name +
-                                    "] has no '" + key + "': is the file whole?");
+        reader.require(isThere, "[" + section.name + "] has no '" + key + "': is the file whole?",
+                       section.line);
     }
 };
 
@@ -66,9 +65,8 @@ void readWhole(IniReader& reader, const IniDocument& document, const std::string
 {
     reader.read(name, options);
     const IniSection* section = document.find(name);
-    reader.require(section != nullptr,
-                   document.fileName() + ": has no section [" + name + "]: is the file whole?");
-    if (section != nullptr) Options::visit(options, AllKeys{reader, *section, document.fileName()});
+    reader.require(section != nullptr, "has no section [" + name + "]: is the file whole?");
+    if (section != nullptr) Options::visit(options, AllKeys{reader, *section});
 }
 
 void checkVersion(const IniDocument& document)
@@ -114,12 +112,11 @@ FilterBank parseFilterBank(std::string_view text, const std::string& name)
         bank.filters.push_back(filter);
     }
     reader.require(!bank.filters.empty(),
-                   name +
-                       ": has no filter: expected a section [filter any], or one of car, van, "
-                       "truck, two_wheeler");
+                   "has no filter: expected a section [filter any], or one of car, van, "
+                   "truck, two_wheeler");
     End end;
     readWhole(reader, document, kEnd, end);
-    reader.require(end.whole, name + ": [end] says that the file is not whole");
+    reader.require(end.whole, "[end] says that the file is not whole");
     reader.finish();
     return bank;
 }

@@ -27,13 +27,12 @@ Scenario readScenario(const IniDocument& document)
     reader.read("terrain", terrain);
     reader.read("ins", scenario.ins);
     reader.require(scenario.ins.gapLength < scenario.ins.gapEvery,
-                   document.fileName() +
-                       ": ins.gap_length_s: must be shorter than ins.gap_every_s, " +
-                       "which is counted from gap to gap");
+                   "ins.gap_length_s: must be shorter than ins.gap_every_s, "
+                   "which is counted from gap to gap");
     reader.read("output", scenario.recording);
     reader.require(
         scenario.recording.sensoryFrames || scenario.recording.poseSource != PoseSource::Actions,
-        document.fileName() + ": output.pose_source: actions need output.sensory_frames = true");
+        "output.pose_source: actions need output.sensory_frames = true");
     const ObjectSections objects = readObjects(document, reader);
     reader.finish();
 

@@ -36,8 +36,8 @@ LadarMount mountOf(const RunOptions& run, const SensorOptions& sensor)
     return mount;
 }
 
-/// "file:line: section.key", of the section where the key does not stand in the file.
-std::string placeOf(const IniDocument& document, const std::string& section, const std::string& key)
+/// Of the section where the key does not stand in the file.
+int lineOf(const IniDocument& document, const std::string& section, const std::string& key)
 {
     int line = 0;
     if (const IniSection* found = document.find(section))
@@ -48,7 +48,7 @@ std::string placeOf(const IniDocument& document, const std::string& section, con
             if (entry.key == key) line = entry.line;
         }
     }
-    return document.fileName() + ":" + std::to_string(line) + ": " + section + "." + key;
+    return line;
 }
 
 void checkSensor(const IniDocument& document, IniReader& reader, const std::string& section,
@@ -59,19 +59,21 @@ void checkSensor(const IniDocument& document, IniReader& reader, const std::stri
     const SpinningLadar sheet = ladarOf(model);
     constexpr double kSpinningMinRate = 1.0;
     const double minRate = sheet.isLineScanner() ? 0.0 : kSpinningMinRate;
-    reader.require(mount.rate >= minRate && mount.rate <= sheet.maxRate,
-                   placeOf(document, section, "rate_hz") + ": the sensor scans at most " +
-                       toText(sheet.maxRate) + " times a second" +
-                       (minRate > 0.0 ? " and at least once" : ""));
-    reader.require(sensor.options.resolution == 0.0 || sheet.isLineScanner(),
-                   placeOf(document, section, "resolution_deg") +
-                       ": only line scanners (LMS-291, LMS-511) have it; leave it out");
-    reader.require(!sheet.isLineScanner() || mount.fieldOfView <= sheet.fieldOfView + 1e-9,
-                   placeOf(document, section, "field_of_view_deg") + ": the sensor has " +
-                       toText(sheet.fieldOfView * 180.0 / kPi) + " degrees at most");
-    reader.require(
-        mount.fieldOfView >= mount.ladar.resolution,
-        placeOf(document, section, "field_of_view_deg") + ": is smaller than resolution_deg");
+    const auto require = [&](bool condition, const std::string& key, const std::string& problem)
+    {
+        reader.require(condition, section + "." + key + ": " + problem,
+                       lineOf(document, section, key));
+    };
+    require(mount.rate >= minRate && mount.rate <= sheet.maxRate, "rate_hz",
+            "the sensor scans at most " + toText(sheet.maxRate) + " times a second" +
+                (minRate > 0.0 ? " and at least once" : ""));
+    require(sensor.options.resolution == 0.0 || sheet.isLineScanner(), "resolution_deg",
+            "only line scanners (LMS-291, LMS-511) have it; leave it out");
+    require(!sheet.isLineScanner() || mount.fieldOfView <= sheet.fieldOfView + 1e-9,
+            "field_of_view_deg",
+            "the sensor has " + toText(sheet.fieldOfView * 180.0 / kPi) + " degrees at most");
+    require(mount.fieldOfView >= mount.ladar.resolution, "field_of_view_deg",
+            "is smaller than resolution_deg");
 }
 }  // namespace
 
@@ -96,14 +98,15 @@ std::vector<SimulatedSensor> readSensors(const IniDocument& document, IniReader&
         sensor.label = sensor.mount.ladar.isLineScanner() ? "lms" : "velodyne";
         if (section != "sensor") sensor.label = section.substr(kPrefix.size());
         reader.require(labels.insert(sensor.label).second,
-                       document.fileName() + ": [" + section + "]: the label '" + sensor.label +
+                       "[" + section + "]: the label '" + sensor.label +
                            "' is taken already; choose another name");
         checkSensor(document, reader, section, sensor);
         sensors.push_back(sensor);
     }
-    reader.require(sensors.front().options.delay == 0.0,
-                   placeOf(document, sections.front(), "delay_s") +
-                       ": the first sensor's scans are the frames; delay the others");
+    reader.require(
+        sensors.front().options.delay == 0.0,
+        sections.front() + ".delay_s: the first sensor's scans are the frames; delay the others",
+        lineOf(document, sections.front(), "delay_s"));
     return sensors;
 }
 

@@ -74,8 +74,9 @@ public:
     }
 
     /// For what concerns several values together: notes the problem, which names their keys, where
-    /// the condition does not hold.
-    void require(bool condition, const std::string& problem);
+    /// the condition does not hold. It goes behind the file's name, and the line where there is
+    /// one.
+    void require(bool condition, const std::string& problem, int line = 0);
 
     void finish();
 
