@@ -51,6 +51,16 @@ std::string refusalOf(const std::string& text)
     return refusal([&] { parseFilterBank(text, "f.txt"); });
 }
 
+TEST(FilterFile, IsNamedOnceInWhatIsWrongWithIt)
+{
+    const std::string text = toText(exampleBank());
+    const std::string missing = refusalOf(replaced(text, "end_strip_m", "# end_strip_m"));
+    EXPECT_THAT(missing, testing::MatchesRegex("f\\.txt:[0-9]+: \\[filter [a-z]+\\] has no "
+                                               "'end_strip_m': is the file whole\\?"));
+    EXPECT_EQ(refusalOf(replaced(text, "whole = true", "whole = false")),
+              "f.txt: [end] says that the file is not whole");
+}
+
 TEST(FilterFile, IsReadAsItWasWritten)
 {
     const std::string text = toText(exampleBank());
