@@ -2,6 +2,7 @@
 // vdamf-track: a rawlog in, its vehicles tracked, an annotated rawlog out.
 #include <charconv>
 #include <cstdio>
+#include <filesystem>
 #include <stdexcept>
 
 #include "pictures.h"
@@ -120,14 +121,22 @@ void showProgress(double share, std::uint64_t frames)
                  static_cast<unsigned long long>(frames));
 }
 
+// Where a run that ends early has left the frames done; empty: nowhere.
+std::string keptIn(const Cli& cli, std::uint64_t frames)
+{
+    if (cli.output.empty() || frames == 0) return "";
+    const std::filesystem::path partial = vdamf::partialPathOf(cli.output);
+    return partial == cli.output ? "" : partial.string();
+}
+
 int exitCodeOf(const Cli& cli, const vdamf::TrackRawlogSummary& summary)
 {
     const auto frames = static_cast<unsigned long long>(summary.frames);
     if (summary.interrupted)
     {
-        const bool kept = !cli.output.empty() && summary.frames > 0;
-        std::fprintf(stderr, "interrupted: %llu frames done%s\n", frames,
-                     kept ? (" are in " + vdamf::partialPathOf(cli.output).string()).c_str() : "");
+        const std::string kept = keptIn(cli, summary.frames);
+        std::fprintf(stderr, "interrupted: %llu frames done%s%s\n", frames,
+                     kept.empty() ? "" : " are in ", kept.c_str());
         return vdamf::kFailed;
     }
     if (!summary.readError.empty())
@@ -158,7 +167,18 @@ int track(const Cli& cli, const vdamf::TrackRawlogJob& job)
         ++frames;
         if (progress) showProgress(share, frames);
     };
-    const vdamf::TrackRawlogSummary summary = vdamf::trackRawlog(job, interrupted, listener);
+    vdamf::TrackRawlogSummary summary;
+    try
+    {
+        summary = vdamf::trackRawlog(job, interrupted, listener);
+    }
+    catch (const std::exception& error)
+    {
+        const std::string kept = keptIn(cli, frames);
+        if (kept.empty()) throw;
+        throw std::runtime_error(error.what() + ("; of the " + std::to_string(frames)) +
+                                 " frames done, those written before are in " + kept);
+    }
     if (progress) std::fprintf(stderr, "\n");
     if (!summary.interrupted) pictures.commit(job, summary);
     vdamf::warn(summary, cli.input);

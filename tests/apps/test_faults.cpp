@@ -23,7 +23,8 @@ TEST_F(Faults, AFileThatMayNotGrowKeepsWhatIsInIt)
     options.errors = path("errors");
     const ProcessEnd end = runLimited("vdamf-track", job(kStreet), options);
     EXPECT_EQ(end.exitCode, 1) << "signal " << end.signal;
-    EXPECT_THAT(contentOf("errors"), AllOf(HasSubstr("a.rawlog"), HasSubstr("too large")));
+    EXPECT_THAT(contentOf("errors"), AllOf(HasSubstr("a.rawlog"), HasSubstr("too large"),
+                                           HasSubstr(" frames done, those written before are in")));
     EXPECT_FALSE(fs::exists(at("a.rawlog")));
     const Contents log(at("a.rawlog.partial"));
     EXPECT_EQ(brokenEntries(log), 0U);
