@@ -35,9 +35,14 @@ void declare(CLI::App& app, Cli& cli)
     app.add_flag("-q,--quiet", cli.quiet, "no summary");
 }
 
-vdamf::MeasureOptions optionsOf(const Cli& cli)
+vdamf::MeasureOptions prepared(const Cli& cli)
 {
-    return vdamf::loadConfiguration(cli.config, cli.set).tracker.measurement;
+    const vdamf::Configuration configuration = vdamf::loadConfiguration(cli.config, cli.set);
+    std::vector<vdamf::NamedInput> inputs = filesNamedBy(configuration, cli.config);
+    inputs.push_back({cli.input, "the input"});
+    inputs.push_back({cli.config, "the configuration"});
+    vdamf::checkOutputPaths({cli.output}, inputs);
+    return configuration.tracker.measurement;
 }
 
 struct Tally
@@ -103,15 +108,10 @@ int main(int argc, char** argv)
 {
     Cli cli;
     vdamf::MeasureOptions options;
-    const auto prepare = [&]
-    {
-        options = optionsOf(cli);
-        vdamf::checkOutputPaths({cli.output},
-                                {{cli.input, "the input"}, {cli.config, "the configuration"}});
-    };
     return vdamf::runProgram(
         argc, argv,
         {"vdamf-fit", "Fits the matched filter to clusters of points: pose, size and covariance.",
          "Example:\n  vdamf-fit -i clusters.csv -o fits.csv",
-         [&](CLI::App& app) { declare(app, cli); }, prepare, [&] { return run(cli, options); }});
+         [&](CLI::App& app) { declare(app, cli); }, [&] { options = prepared(cli); },
+         [&] { return run(cli, options); }});
 }

@@ -46,7 +46,7 @@ ClassifierJob prepared(const ClassifierCommandLine& line)
     job.configuration = loadConfiguration(line.inputs.config);
     checkLeaveOut(job);
     job.version = VDAMF_VERSION;
-    checkOutputPaths(outputsOf(job), namedInputs(line.inputs, job.recordings));
+    checkOutputPaths(outputsOf(job), namedInputs(line.inputs, job.configuration, job.recordings));
     return job;
 }
 

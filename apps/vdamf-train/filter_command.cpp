@@ -35,7 +35,8 @@ FilterJob prepared(const FilterCommandLine& line)
     job.sources = readFilterSources(readList(line.inputs));
     job.configuration = loadConfiguration(line.inputs.config);
     job.version = VDAMF_VERSION;
-    checkOutputPaths(outputsOf(job), namedInputs(line.inputs, job.sources.recordings));
+    checkOutputPaths(outputsOf(job),
+                     namedInputs(line.inputs, job.configuration, job.sources.recordings));
     return job;
 }
 

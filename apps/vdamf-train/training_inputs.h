@@ -29,10 +29,13 @@ IniDocument readList(const TrainingInputs& inputs);
 
 /// All files that are read, which no output may replace. `recordings` have a rawlog and a truth.
 template <class Recordings>
-std::vector<NamedInput> namedInputs(const TrainingInputs& inputs, const Recordings& recordings)
+std::vector<NamedInput> namedInputs(const TrainingInputs& inputs,
+                                    const Configuration& configuration,
+                                    const Recordings& recordings)
 {
-    std::vector<NamedInput> named = {{inputs.list, "the list of what to train on"},
-                                     {inputs.config, "the configuration"}};
+    std::vector<NamedInput> named = filesNamedBy(configuration, inputs.config);
+    named.push_back({inputs.list, "the list of what to train on"});
+    named.push_back({inputs.config, "the configuration"});
     for (const auto& recording : recordings)
     {
         named.push_back({recording.rawlog, "an input"});

@@ -6,6 +6,8 @@
 #include <string>
 
 #include "apps/fit_fixture.h"
+#include "vdamf/files/text_file.h"
+#include "vdamf/rawlog/filter_file.h"
 
 namespace vdamf
 {
@@ -62,6 +64,24 @@ TEST_F(FitErrors, BadUseEndsWithTwoAndOutputsAreNotReplaced)
     EXPECT_THAT(output_, testing::StartsWith("cluster,points,x_m"));
     EXPECT_EQ(run("--help"), 0);
     EXPECT_THAT(output_, HasSubstr("Example"));
+}
+
+TEST_F(FitErrors, NothingThatTheConfigurationNamesIsWrittenOver)
+{
+    make("clusters.csv", kFitHeader + twoFaces("car", kCar, {0.0, 0.0}));
+    fs::copy_file(VDAMF_SOURCE_DIR "/models/vehicle.txt", at("vehicle.txt"));
+    FilterBank bank;
+    bank.record = {"a program", "data", "options", "held out"};
+    bank.filters.emplace_back();
+    make("filters.txt", toText(bank));
+    make("c.ini",
+         "[discriminator]\nmodel = vehicle.txt\n[measurement]\nfilter_file = filters.txt\n");
+    EXPECT_EQ(run("-i clusters.csv -c c.ini --overwrite -o filters.txt"), 2);
+    EXPECT_THAT(output_, HasSubstr("filters.txt: is measurement.filter_file"));
+    EXPECT_EQ(run("-i clusters.csv -c c.ini --overwrite -o vehicle.txt"), 2);
+    EXPECT_THAT(output_, HasSubstr("vehicle.txt: is discriminator.model"));
+    EXPECT_EQ(readTextFile(at("filters.txt")), toText(bank));
+    EXPECT_EQ(run("-i clusters.csv -c c.ini -o fits.csv"), 0) << output_;
 }
 
 TEST_F(FitErrors, WhatIsInterruptedLeavesNothing)

@@ -135,6 +135,20 @@ TEST_F(Train, BadListsAreErrorsWithTheirPlace)
     EXPECT_EQ(run("vdamf-train", "classifier missing.ini -o m.txt"), 2);
 }
 
+TEST_F(Train, NothingThatTheConfigurationNamesIsWrittenOver)
+{
+    makeList();
+    const std::string model = VDAMF_SOURCE_DIR "/models/vehicle.txt";
+    fs::copy_file(model, at("vehicle.txt"));
+    make("c.ini", "[discriminator]\nmodel = vehicle.txt\n");
+    for (const std::string what : {"classifier", "filter"})
+    {
+        EXPECT_EQ(run("vdamf-train", what + " list.ini -c c.ini -o vehicle.txt --overwrite -q"), 2);
+        EXPECT_THAT(output_, HasSubstr("vehicle.txt: is discriminator.model"));
+    }
+    EXPECT_EQ(readTextFile(at("vehicle.txt")), readTextFile(model));
+}
+
 TEST_F(Train, NeedsEnoughGroups)
 {
     makeList("scene = one\n");
