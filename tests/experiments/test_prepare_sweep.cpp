@@ -132,10 +132,11 @@ TEST_F(PrepareSweep, GroupsHaveTruthScoringAndKeysOfTheirOwn)
                 AllOf(HasSubstr("label = front\n"), HasSubstr("label = gps\n")));
     EXPECT_THAT(problemOf(sweepFile("", "scan.deskew = true, false",
                                     std::string(kRecordings) + "\nset = scan.deskew=true")),
-                HasSubstr("scan.deskew is varied as well"));
-    EXPECT_THAT(problemOf(sweepFile("", "scan.deskew = true, false",
-                                    std::string(kRecordings) + "\nset = scan.labl=x")),
-                HasSubstr("did you mean 'label'?"));
+                HasSubstr("sweep.ini:9: [recordings] set: scan.deskew is varied as well"));
+    EXPECT_THAT(
+        problemOf(sweepFile("", "scan.deskew = true, false",
+                            std::string(kRecordings) + "\nset = scan.labl=x")),
+        AllOf(HasSubstr("sweep.ini:9: [recordings] set: "), HasSubstr("did you mean 'label'?")));
 }
 
 TEST(MetricNames, AreThoseOfTheEvaluation)

@@ -82,7 +82,9 @@ std::string problemsOfGroup(const SweepFile& file, const IniDocument& base,
                             const RecordingGroup& group)
 {
     std::string problems;
-    const std::string where = file.path.string() + ": [recordings " + group.name + "] set: ";
+    const std::string where = file.path.string() + ":" + std::to_string(group.setLine) +
+                              ": [recordings" + (group.name.empty() ? "" : " " + group.name) +
+                              "] set: ";
     for (const std::string& set : assignmentsOf(group))
     {
         for (const SweptKey& key : file.keys)

@@ -115,6 +115,8 @@ SweepFile readSections(const IniDocument& document, VarySection& vary)
         RecordingGroup group;
         reader.read(section.name, group);
         group.name = std::string(trimmed(std::string_view(section.name).substr(kGroup.size())));
+        for (const IniEntry& entry : section.entries)
+            if (entry.key == "set") group.setLine = entry.line;
         file.groups.push_back(std::move(group));
     }
     // Named in messages about sections that are misspelt.

@@ -119,6 +119,7 @@ struct RecordingGroup
     std::string rawlogs;
     std::string truth = "{folder}/{stem}_truth.csv";
     std::string set;
+    int setLine = 0;  ///< of `set`, in the sweep's file
     FrameRange frames;
     RunScoring score;
 
