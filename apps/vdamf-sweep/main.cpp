@@ -146,16 +146,25 @@ std::optional<vdamf::PreparedSweep> prepared(CommandLine& line)
     return sweep;
 }
 
+int printMetrics()
+{
+    for (const std::string& name : vdamf::metricNames()) std::printf("%s\n", name.c_str());
+    return vdamf::kDone;
+}
+
 int run(const CommandLine& line, const std::optional<vdamf::PreparedSweep>& sweep)
 {
     if (!line.task.empty()) return vdamf::work(line.task);
-    if (line.printMetrics)
-    {
-        for (const std::string& name : vdamf::metricNames()) std::printf("%s\n", name.c_str());
-        return vdamf::kDone;
-    }
+    if (line.printMetrics) return printMetrics();
     const vdamf::SweepProgram program{VDAMF_VERSION, vdamf::digestOfFile(ownProgram())};
     return line.dryRun ? dryRun(line, *sweep, program) : sweepAll(line, *sweep, program);
+}
+
+int runAndPrint(const CommandLine& line, const std::optional<vdamf::PreparedSweep>& sweep)
+{
+    const int exitCode = run(line, sweep);
+    vdamf::checkPrinted(stdout);
+    return exitCode;
 }
 }  // namespace
 
@@ -168,5 +177,5 @@ int main(int argc, char** argv)
         {"vdamf-sweep", "Runs the tracker on many recordings with many settings and compares them.",
          "Example:\n  vdamf-sweep -c datasets/sweeps/street.ini -o results/street_sweep",
          [&](CLI::App& app) { declare(app, line); }, [&] { sweep = prepared(line); },
-         [&] { return run(line, sweep); }});
+         [&] { return runAndPrint(line, sweep); }});
 }

@@ -181,6 +181,14 @@ TEST_F(SweepProgram, BadUse)
     EXPECT_EQ(own.exitCode, 2);
     EXPECT_THAT(own.output, HasSubstr("sweep.ini"));
     EXPECT_THAT(runApp("vdamf-sweep", "--print-metrics").output, HasSubstr("\nhota.hota\n"));
+    const std::string program = "'" VDAMF_APPS_DIR "/vdamf-sweep' ";
+    for (const std::string& what :
+         {std::string("--print-metrics"), arguments("out") + " --dry-run"})
+    {
+        const Outcome full = runShell(program + what + " > /dev/full");
+        EXPECT_EQ(full.exitCode, 1) << what;
+        EXPECT_THAT(full.output, HasSubstr("cannot write to the standard output")) << what;
+    }
 }
 
 TEST_F(SweepProgram, TheExamplePasses)
