@@ -31,11 +31,15 @@ std::string inWords(std::optional<double> value)
 
 void checkOutputs(const PreparedSweep& sweep, const fs::path& folder)
 {
-    std::vector<NamedInput> inputs = {{sweep.file.path, "the sweep's file"}};
+    std::vector<NamedInput> inputs = filesOfSweep(sweep.file, sweep.base);
+    inputs.push_back({sweep.file.path, "the sweep's file"});
     if (!sweep.file.sweep.config.empty())
         inputs.push_back({sweep.file.resolved(sweep.file.sweep.config), "the configuration"});
     for (const SweepRecording& recording : sweep.recordings)
+    {
+        inputs.push_back({recording.rawlog, "a recording"});
         inputs.push_back({recording.truth, "a truth"});
+    }
     std::vector<fs::path> outputs;
     for (const char* name : {kSweepCopy, kTable, kTimes, kPage, kBest})
         outputs.push_back(folder / name);

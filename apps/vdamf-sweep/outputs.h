@@ -12,8 +12,8 @@ namespace vdamf
 {
 constexpr const char* kSweepCopy = "sweep.ini";
 
-/// Throws std::runtime_error where an output would replace the sweep's file, its configuration, or
-/// a truth.
+/// Throws std::runtime_error where an output would replace the sweep's file, its configuration, a
+/// model or filters that these name, a recording or a truth.
 void checkOutputs(const PreparedSweep& sweep, const std::filesystem::path& folder);
 
 /// The sweep's file as it was at the start.

@@ -191,6 +191,27 @@ TEST_F(SweepProgram, BadUse)
     }
 }
 
+TEST_F(SweepProgram, WritesOverNothingThatItReads)
+{
+    fs::create_directory(at("out"));
+    fs::copy(VDAMF_SOURCE_DIR "/models/vehicle.txt", at("out/best.ini"));
+    const std::string model = contentOf("out/best.ini");
+    make("conf.ini", "[discriminator]\nmodel = out/best.ini\n");
+    const auto expectRefusal = [&]
+    {
+        const Outcome refused = sweep("out");
+        EXPECT_EQ(refused.exitCode, 2);
+        EXPECT_THAT(refused.output, HasSubstr("best.ini: is discriminator.model"));
+        EXPECT_EQ(contentOf("out/best.ini"), model);
+    };
+    writeSweep("config = conf.ini", "measurement.sigma_m = 0.1, 0.2");
+    expectRefusal();
+    writeSweep("", "discriminator.model = none, out/best.ini");
+    expectRefusal();
+    writeSweep("", "measurement.sigma_m = 0.1, 0.2", "set = discriminator.model=out/best.ini\n");
+    expectRefusal();
+}
+
 TEST_F(SweepProgram, TheExamplePasses)
 {
     const Outcome plan =

@@ -139,6 +139,28 @@ std::string configurationOf(const SweepFile& file, const IniDocument& base,
     }
 }
 
+std::vector<NamedInput> filesOfSweep(const SweepFile& file, const IniDocument& base)
+{
+    std::vector<NamedInput> all;
+    const auto add = [&](const IniDocument& document)
+    {
+        for (const NamedInput& one : filesNamedBy(readSettings(document), document.fileName()))
+            all.push_back(one);
+    };
+    const auto addWith = [&](const std::string& key, const std::string& value)
+    {
+        IniDocument document = base;
+        document.set(assignment(file, key, value));
+        add(document);
+    };
+    add(base);
+    for (const RecordingGroup& group : file.groups)
+        for (const std::string& set : assignmentsOf(group)) addWith(nameOf(set), valueOf(set));
+    for (const SweptKey& key : file.keys)
+        for (const std::string& value : key.values) addWith(key.name, value);
+    return all;
+}
+
 std::string inWords(const SweepFile& file, const SweepSetting& setting)
 {
     std::string words;

@@ -3,9 +3,11 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "vdamf/experiments/settings.h"
 #include "vdamf/experiments/sweep_file.h"
+#include "vdamf/files/output_file.h"
 
 namespace vdamf
 {
@@ -21,6 +23,10 @@ void checkKeys(const SweepFile& file, const IniDocument& base);
 /// Throws std::runtime_error that names the setting where its values do not go together.
 std::string configurationOf(const SweepFile& file, const IniDocument& base,
                             const RecordingGroup& group, const SweepSetting& setting);
+
+/// The models and filters that any of its configurations names, each with its key. Of keys that
+/// passed checkKeys().
+std::vector<NamedInput> filesOfSweep(const SweepFile& file, const IniDocument& base);
 
 /// "measurement.sigma_m = 0.2, clustering.gap_m = 0.4"
 std::string inWords(const SweepFile& file, const SweepSetting& setting);
