@@ -137,6 +137,21 @@ TEST_F(SweepProgram, AFailedRunIsToldWithItsLog)
     EXPECT_EQ(logs, 2U);
 }
 
+TEST_F(SweepProgram, ARangeBehindTheEndIsToldByItsKey)
+{
+    const std::string street = VDAMF_SOURCE_DIR "/datasets/street/";
+    fs::create_symlink(street + "street.rawlog", at("late.rawlog"));
+    writeSweep("", "measurement.sigma_m = 0.1",
+               "[recordings late]\nrawlogs = late.rawlog\ntruth = " + street +
+                   "truth.csv\nfirst_frame = 500\n");
+    const Outcome outcome = sweep("out");
+    EXPECT_EQ(outcome.exitCode, 1);
+    EXPECT_THAT(outcome.output,
+                AllOf(HasSubstr("setting 1 failed: first_frame = 500: "),
+                      HasSubstr("late.rawlog: no frame in the range asked for: it begins at "
+                                "frame 500, the rawlog has the frames 0 to 119")));
+}
+
 TEST_F(SweepProgram, RecordingsWithTheSameContentAreOneRun)
 {
     const std::string street = VDAMF_SOURCE_DIR "/datasets/street/";

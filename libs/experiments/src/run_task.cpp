@@ -21,6 +21,21 @@ namespace fs = std::filesystem;
 
 constexpr const char* kFailureFile = "failure.txt";
 
+// The range by the name of its key.
+TrackRawlogSummary trackInRange(const TrackRawlogJob& job)
+{
+    const std::atomic<bool> never{false};
+    try
+    {
+        return trackRawlog(job, never);
+    }
+    catch (const NoFrameInRange& error)
+    {
+        throw std::runtime_error("first_frame = " + std::to_string(job.firstFrame) + ": " +
+                                 error.what());
+    }
+}
+
 TrackRawlogSummary track(const RunTask& task, const fs::path& taskFolder, const fs::path& folder)
 {
     TrackRawlogJob job;
@@ -30,8 +45,7 @@ TrackRawlogSummary track(const RunTask& task, const fs::path& taskFolder, const 
     job.configuration = loadConfiguration(taskFolder / "config.ini");
     job.firstFrame = static_cast<std::uint64_t>(task.frames.first);
     if (task.frames.last > 0) job.lastFrame = static_cast<std::uint64_t>(task.frames.last);
-    const std::atomic<bool> never{false};
-    const TrackRawlogSummary summary = trackRawlog(job, never);
+    const TrackRawlogSummary summary = trackInRange(job);
     if (!summary.readError.empty()) throw ReadError(summary.readError);
     if (summary.read.truncated)
         throw std::runtime_error(task.rawlog + ": truncated: " + summary.read.truncation);

@@ -227,8 +227,9 @@ private:
         if (summary_.frames > 0) return;
         outputs_.discard();
         if (!summary_.readError.empty()) throw ReadError(summary_.readError);
-        throw std::runtime_error(job_.input.string() + ": " +
-                                 whyNoFrame(job_, summary_, scansMet_));
+        const std::string why = job_.input.string() + ": " + whyNoFrame(job_, summary_, scansMet_);
+        if (scansMet_ > 0 && summary_.scans == 0) throw NoFrameInRange(why);
+        throw std::runtime_error(why);
     }
 
     const TrackRawlogJob& job_;

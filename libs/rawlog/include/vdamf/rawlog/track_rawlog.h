@@ -8,6 +8,7 @@
 #include <functional>
 #include <limits>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -74,6 +75,13 @@ struct TrackRawlogSummary
     /// Why the input could not be read on, where the frames end; empty: it was read to its end.
     std::string readError;
     bool interrupted = false;
+};
+
+/// The range asked for begins behind the last frame.
+class NoFrameInRange : public std::runtime_error
+{
+public:
+    using std::runtime_error::runtime_error;
 };
 
 /// Called after each frame with its result (for reports) and the share of the input read. The frame
