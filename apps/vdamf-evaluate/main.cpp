@@ -106,24 +106,32 @@ std::vector<fs::path> outputsOf(const CommandLine& line)
     return outputs;
 }
 
+/// True for the usual endings of pictures and of this program's other output.
+bool isNamedAsFile(const fs::path& path)
+{
+    static const std::set<std::string> kEndings = {".svg", ".SVG",  ".png", ".PNG", ".jpg",
+                                                   ".JPG", ".jpeg", ".pdf", ".PDF", ".json"};
+    return kEndings.count(path.extension().string()) > 0;
+}
+
+/// Throws where charts cannot have this folder.
+void checkFolder(const fs::path& folder, const fs::path& json)
+{
+    if (fs::is_directory(folder)) return;
+    if (fs::exists(folder))
+        throw std::invalid_argument(folder.string() + ": is no folder, and does not end in .svg");
+    if (isNamedAsFile(folder))
+        throw std::invalid_argument(folder.string() +
+                                    ": charts are .svg; name such a file, or a folder");
+    if (!json.empty() && vdamf::sameFile(json, folder))
+        throw std::invalid_argument(folder.string() + ": is named for two outputs");
+}
+
 void prepare(CommandLine& line)
 {
     line.options.scoring.regionFov = line.regionFovDegrees * vdamf::kPi / 180.0;
     vdamf::checkOutputPaths(outputsOf(line), {{line.tracks, "an input"}, {line.truth, "an input"}});
-    if (!line.plots.empty() && !isOnePicture(line.plots) && fs::exists(line.plots) &&
-        !fs::is_directory(line.plots))
-    {
-        throw std::invalid_argument(line.plots.string() +
-                                    ": is no folder, and does not end in .svg");
-    }
-    if (!line.plots.empty() && !isOnePicture(line.plots) && !fs::exists(line.plots))
-    {
-        if (line.plots.has_extension())
-            throw std::invalid_argument(line.plots.string() +
-                                        ": charts are .svg; name such a file, or a folder");
-        if (!line.json.empty() && vdamf::sameFile(line.json, line.plots))
-            throw std::invalid_argument(line.plots.string() + ": is named for two outputs");
-    }
+    if (!line.plots.empty() && !isOnePicture(line.plots)) checkFolder(line.plots, line.json);
 }
 
 std::vector<Output> contentsOf(const CommandLine& line, const vdamf::Evaluation& evaluation)

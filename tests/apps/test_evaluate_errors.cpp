@@ -46,7 +46,17 @@ TEST_F(EvaluateAppErrors, KeepsInputsAndExistingFiles)
     const Outcome picture = evaluate("--plots '" + at("charts.png").string() + "'");
     EXPECT_EQ(picture.exitCode, 2);
     EXPECT_THAT(picture.output, HasSubstr("charts.png: charts are .svg"));
+    const Outcome loud = evaluate("--plots '" + at("charts.SVG").string() + "'");
+    EXPECT_THAT(loud.output, HasSubstr("charts.SVG: charts are .svg"));
     EXPECT_EQ(filesInFolder(), 3U);
+}
+
+TEST_F(EvaluateAppErrors, AFolderOfChartsMayHaveADotInItsName)
+{
+    writeTables(unchanged);
+    const Outcome run = evaluate("--plots '" + at("drive.0005").string() + "'");
+    EXPECT_EQ(run.exitCode, 0) << run.output;
+    EXPECT_FALSE(std::filesystem::is_empty(at("drive.0005")));
 }
 
 TEST_F(EvaluateAppErrors, AFailedJobSaysWhereAndWhy)
