@@ -96,8 +96,8 @@ struct Results
 
 Results resultsOf(const std::vector<vdamf::RegressionScenario>& scenarios, const Cli& cli)
 {
-    const vdamf::RunOptions options{cli.apps, cli.tracker, cli.config, cli.set,
-                                    cli.out,  cli.keep,    cli.jobs};
+    const vdamf::RegressionOptions options{cli.apps, cli.tracker, cli.config, cli.set,
+                                           cli.out,  cli.keep,    cli.jobs};
     std::size_t count = 0;
     const auto told = [&](const vdamf::RunOutcome& run)
     {

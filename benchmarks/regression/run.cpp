@@ -35,7 +35,7 @@ RunFiles preparedFiles(const fs::path& folder)
 }
 
 void call(const std::vector<std::string>& command, const std::vector<std::string>& more,
-          const RunOptions& options, const fs::path& log)
+          const RegressionOptions& options, const fs::path& log)
 {
     std::vector<std::string> all = command;
     all.front() = (options.programs / command.front()).string();
@@ -47,7 +47,7 @@ void call(const std::vector<std::string>& command, const std::vector<std::string
 }
 
 std::vector<std::string> trackCommand(const RegressionScenario& scenario, const RunFiles& files,
-                                      const RunOptions& options)
+                                      const RegressionOptions& options)
 {
     std::vector<std::string> command = {
         options.tracker.empty() ? "vdamf-track" : options.tracker.string(),
@@ -65,7 +65,7 @@ std::vector<std::string> trackCommand(const RegressionScenario& scenario, const 
 }
 
 nlohmann::json scored(const RunFiles& files, const std::vector<std::string>& how,
-                      const RunOptions& options)
+                      const RegressionOptions& options)
 {
     const std::vector<std::string> command = {
         "vdamf-evaluate", "--overwrite",        "--tracks", files.tracks.string(),
@@ -74,7 +74,7 @@ nlohmann::json scored(const RunFiles& files, const std::vector<std::string>& how
     return nlohmann::json::parse(readTextFile(files.metrics));
 }
 
-MetricValues measured(const RegressionScenario& scenario, const RunOptions& options)
+MetricValues measured(const RegressionScenario& scenario, const RegressionOptions& options)
 {
     const RunFiles files = preparedFiles(options.out / scenario.name);
     call(scenario.make,
@@ -104,7 +104,7 @@ std::optional<double> trackingTimeIn(std::string_view summary)
     return parseNumber(trimmed(line.substr(0, unit)));
 }
 
-RunOutcome runScenario(const RegressionScenario& scenario, const RunOptions& options)
+RunOutcome runScenario(const RegressionScenario& scenario, const RegressionOptions& options)
 {
     const auto begin = std::chrono::steady_clock::now();
     RunOutcome outcome;
@@ -123,7 +123,7 @@ RunOutcome runScenario(const RegressionScenario& scenario, const RunOptions& opt
 }
 
 std::vector<RunOutcome> runScenarios(const std::vector<RegressionScenario>& scenarios,
-                                     const RunOptions& options,
+                                     const RegressionOptions& options,
                                      const std::function<void(const RunOutcome&)>& done)
 {
     std::vector<RunOutcome> outcomes(scenarios.size());

@@ -14,7 +14,7 @@
 
 namespace vdamf
 {
-struct RunOptions
+struct RegressionOptions
 {
     std::filesystem::path programs;  ///< folder of vdamf-track and the others
     std::filesystem::path tracker;   ///< called in place of vdamf-track; empty: that
@@ -37,11 +37,11 @@ std::optional<double> trackingTimeIn(std::string_view summary);
 
 /// Makes scans and truth, tracks and scores, with outputs in `<out>/<name>/`: truth.csv,
 /// tracks.csv, metrics.json and log.txt. What fails is told in the outcome.
-RunOutcome runScenario(const RegressionScenario& scenario, const RunOptions& options);
+RunOutcome runScenario(const RegressionScenario& scenario, const RegressionOptions& options);
 
 /// All of them, in their order; `done` is told of each when it is (one call at a time).
 std::vector<RunOutcome> runScenarios(const std::vector<RegressionScenario>& scenarios,
-                                     const RunOptions& options,
+                                     const RegressionOptions& options,
                                      const std::function<void(const RunOutcome&)>& done);
 
 }  // namespace vdamf

@@ -52,7 +52,7 @@ private:
     int descriptor_;
 };
 
-class Faults : public Track
+class Faults : public TrackProgram
 {
 protected:
     std::filesystem::path makePipe(const std::string& name) const

@@ -18,7 +18,7 @@ namespace vdamf
 {
 using Tracks = std::map<double, std::vector<TrackReport>>;  // confirmed, by time
 
-class SimulatedClasses : public Track
+class SimulatedClasses : public TrackProgram
 {
 protected:
     /// The scene heads east, so that odometry's axes are those of the scene.

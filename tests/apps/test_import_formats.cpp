@@ -18,7 +18,7 @@ namespace
 using testing::AllOf;
 using testing::HasSubstr;
 
-class ImportFormats : public Track
+class ImportFormats : public TrackProgram
 {
 protected:
     Outcome import(const std::string& arguments) const { return runApp("vdamf-import", arguments); }

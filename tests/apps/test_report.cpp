@@ -19,7 +19,7 @@ using testing::HasSubstr;
 using testing::StartsWith;
 namespace fs = std::filesystem;
 
-class Report : public Track
+class Report : public TrackProgram
 {
 protected:
     Outcome report(const std::string& arguments) const { return runApp("vdamf-report", arguments); }

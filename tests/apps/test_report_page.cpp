@@ -8,7 +8,7 @@ namespace vdamf
 {
 namespace
 {
-class ReportPage : public Track
+class ReportPage : public TrackProgram
 {
 };
 

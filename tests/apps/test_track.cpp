@@ -39,7 +39,7 @@ bool isAdded(const RawlogEntry& entry)
     return observation && isAnnotation(*observation);
 }
 
-TEST_F(Track, AnnotatesEveryFrameBehindItsScan)
+TEST_F(TrackProgram, AnnotatesEveryFrameBehindItsScan)
 {
     const Outcome run =
         track("-i " + kStreet + out("a.rawlog") + " --tracks " + path("t.csv") + " --frames 0:30");
@@ -91,7 +91,7 @@ TEST_F(Track, AnnotatesEveryFrameBehindItsScan)
     EXPECT_EQ(scans, 30);
 }
 
-TEST_F(Track, KeepsEveryInputByte)
+TEST_F(TrackProgram, KeepsEveryInputByte)
 {
     ASSERT_EQ(track("-q -i " + kStreet + out("a.rawlog")).exitCode, 0);
     std::string original;
@@ -102,7 +102,7 @@ TEST_F(Track, KeepsEveryInputByte)
     EXPECT_TRUE(original == kept) << original.size() << " bytes in, " << kept.size() << " kept";
 }
 
-TEST_F(Track, SameInputSameBytes)
+TEST_F(TrackProgram, SameInputSameBytes)
 {
     const std::string frames = "-q --frames 0:25 -i " + kStreet;
     ASSERT_EQ(track(frames + out("a.rawlog") + " --tracks " + path("a.csv")).exitCode, 0);
@@ -111,7 +111,7 @@ TEST_F(Track, SameInputSameBytes)
     EXPECT_TRUE(contentOf("a.rawlog") == contentOf("b.rawlog"));
 }
 
-TEST_F(Track, StockToolsReadTheAnnotatedRawlog)
+TEST_F(TrackProgram, StockToolsReadTheAnnotatedRawlog)
 {
     if (runShell("command -v rawlog-edit").exitCode != 0)
         GTEST_SKIP() << "rawlog-edit is not installed (package mrpt-apps)";
@@ -133,7 +133,7 @@ TEST_F(Track, StockToolsReadTheAnnotatedRawlog)
     EXPECT_TRUE(kept == original);
 }
 
-TEST_F(Track, FollowsTheVehiclesOfTheStreet)
+TEST_F(TrackProgram, FollowsTheVehiclesOfTheStreet)
 {
     ASSERT_EQ(track("-q -i " + kStreet + " --tracks " + path("t.csv")).exitCode, 0);
     std::map<long, std::vector<TrackReport>> frames;
@@ -161,7 +161,7 @@ TEST_F(Track, FollowsTheVehiclesOfTheStreet)
     EXPECT_EQ(vanIds.size(), 1U);
 }
 
-TEST_F(Track, ReadsActionsAndSensoryFrames)
+TEST_F(TrackProgram, ReadsActionsAndSensoryFrames)
 {
     // The first two seconds of the street as pairs of action and sensory frame.
     RawlogReader reader(kStreet);
@@ -196,7 +196,7 @@ TEST_F(Track, ReadsActionsAndSensoryFrames)
     EXPECT_TRUE(log.as<mrpt::obs::CObservationRawDAQ>(3));
 }
 
-TEST_F(Track, ShippedConfigurationIsTheBuiltInOne)
+TEST_F(TrackProgram, ShippedConfigurationIsTheBuiltInOne)
 {
     const Outcome printed = track("--print-config");
     EXPECT_EQ(printed.exitCode, 0);

@@ -30,7 +30,7 @@ constexpr double kNoise = 0.02;                                             // o
 const std::string kStraight = "speed_mps = 20\n";                           // towards the wall
 const std::string kTurning = "speed_mps = 10\nsegments = 2 0 0.0523599\n";  // by 30 deg/s
 
-class TrackDeskew : public Track
+class TrackDeskew : public TrackProgram
 {
 protected:
     /// A second of a drive towards a wall across the road, past a pole.

@@ -25,7 +25,7 @@ using testing::HasSubstr;
 using testing::Not;
 namespace fs = std::filesystem;
 
-class TrackErrors : public Track
+class TrackErrors : public TrackProgram
 {
 };
 

@@ -20,7 +20,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-class OddInputs : public Track
+class OddInputs : public TrackProgram
 {
 protected:
     static std::string pose(double time, double x)

@@ -19,7 +19,7 @@ using testing::Not;
 using testing::StartsWith;
 namespace fs = std::filesystem;
 
-class TrackOutputs : public Track
+class TrackOutputs : public TrackProgram
 {
 protected:
     // On the first frames of the street.

@@ -27,7 +27,7 @@ using testing::HasSubstr;
 using testing::Not;
 using Observations = std::vector<CObservation::Ptr>;
 
-class TrackRange : public Track
+class TrackRange : public TrackProgram
 {
 protected:
     // The street up to its scan `scans`, without it.

@@ -20,7 +20,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-class TrackScans : public Track
+class TrackScans : public TrackProgram
 {
 protected:
     void simulate(const std::string& sensors) const

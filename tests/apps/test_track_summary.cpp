@@ -42,7 +42,7 @@ std::string scan(double time)
     return serialized(observation);
 }
 
-class TrackSummary : public Track
+class TrackSummary : public TrackProgram
 {
 protected:
     Outcome run(const std::string& bytes, const std::string& options = "")

@@ -14,7 +14,7 @@ namespace vdamf
 {
 inline const std::string kStreet = VDAMF_SOURCE_DIR "/datasets/street/street.rawlog";
 
-class Track : public TemporaryFolder
+class TrackProgram : public TemporaryFolder
 {
 protected:
     Outcome track(const std::string& arguments) const { return runApp("vdamf-track", arguments); }
