@@ -5,6 +5,7 @@
 #include <string>
 
 #include "program.h"
+#include "summary.h"
 #include "vdamf/files/output_file.h"
 #include "vdamf/rawlog/annotated_rawlog.h"
 #include "vdamf/report/run_report.h"
@@ -119,8 +120,7 @@ int run(const CommandLine& line)
         std::fprintf(stderr,
                      "%s: its configuration cannot be read, the built-in one is taken: %s\n",
                      line.input.c_str(), annotations.configurationProblem.c_str());
-    for (const std::string& problem : annotations.read.problems)
-        std::fprintf(stderr, "%s: %s\n", line.input.c_str(), problem.c_str());
+    vdamf::warnOfEntries(annotations.read, line.input.string());
     const std::string page = pageOf(line, annotations, interrupted);
     output.write(page);
     output.commit();

@@ -19,6 +19,14 @@ inline std::string joinedInQuotes(const std::vector<std::string>& names)
     return all;
 }
 
+/// On stderr what happened at least once.
+inline void warnOfCount(std::uint64_t count, const std::string& what, const std::string& input)
+{
+    if (count > 0)
+        std::fprintf(stderr, "%s: %llu %s\n", input.c_str(), static_cast<unsigned long long>(count),
+                     what.c_str());
+}
+
 /// What is wrong with the poses, on stderr.
 inline void warnOfPoses(const TrackRawlogSummary& s, const std::string& input)
 {
@@ -78,25 +86,26 @@ inline void warnOfTimes(const TrackRawlogSummary& s, const std::string& input)
     else if (s.atOneTime > 0)
         why = "; all have the label " + joinedInQuotes(s.sensors) +
               ": if they come from several sensors, give each its own";
-    const auto line = [&](std::uint64_t count, const char* what)
-    {
-        if (count > 0)
-            std::fprintf(stderr, "%s: %llu scans skipped: %s%s\n", input.c_str(),
-                         static_cast<unsigned long long>(count), what, why.c_str());
-    };
-    line(s.outOfOrder, "earlier than the frame before");
-    line(s.atOneTime, "at the time of the frame before");
+    warnOfCount(s.outOfOrder, "scans skipped: earlier than the frame before" + why, input);
+    warnOfCount(s.atOneTime, "scans skipped: at the time of the frame before" + why, input);
+}
+
+/// What was met among the entries besides those that can be read, on stderr.
+inline void warnOfEntries(const RawlogSummary& read, const std::string& input)
+{
+    warnOfCount(read.unknown, "entries of unknown classes, left as they are", input);
+    warnOfCount(read.damaged, "damaged entries left out", input);
+    for (const std::string& problem : read.problems)
+        std::fprintf(stderr, "  %s\n", problem.c_str());
+    const std::uint64_t more = read.unknown + read.damaged - read.problems.size();
+    if (more > 0) std::fprintf(stderr, "  and %llu more\n", static_cast<unsigned long long>(more));
 }
 
 /// What was skipped or left out, on stderr.
 inline void warn(const TrackRawlogSummary& s, const std::string& input)
 {
     const auto line = [&](std::uint64_t count, const std::string& what)
-    {
-        if (count > 0)
-            std::fprintf(stderr, "%s: %llu %s\n", input.c_str(),
-                         static_cast<unsigned long long>(count), what.c_str());
-    };
+    { warnOfCount(count, what, input); };
     line(s.withoutPose, "scans skipped: no INS pose at their time");
     line(s.poseTooLate,
          "of them have one later in the rawlog: a scan waits for its pose for one second of "
@@ -109,12 +118,7 @@ inline void warn(const TrackRawlogSummary& s, const std::string& input)
     line(s.partlyDeskewed,
          "scans with hits at whose time there is no INS pose: these are placed by the pose nearest "
          "in time");
-    line(s.read.unknown, "entries of unknown classes, copied as they are");
-    line(s.read.damaged, "damaged entries left out");
-    for (const std::string& problem : s.read.problems)
-        std::fprintf(stderr, "  %s\n", problem.c_str());
-    const std::uint64_t more = s.read.unknown + s.read.damaged - s.read.problems.size();
-    if (more > 0) std::fprintf(stderr, "  and %llu more\n", static_cast<unsigned long long>(more));
+    warnOfEntries(s.read, input);
     warnOfPoses(s, input);
 }
 

@@ -137,6 +137,17 @@ TEST_F(Report, TellsWhatWasLostOfItsInput)
     EXPECT_GT(fs::file_size(at("t.html")), 100000U) << "what there is";
 }
 
+TEST_F(Report, CountsWhatItCannotReadAsTheTrackerDoes)
+{
+    trackStreet("--frames 0:5 --set output.gz_level=0");
+    make("odd.rawlog", contentOf("t.rawlog") + "\x86" + "a::Odd" + '\0' + "payload\x88");
+    const Outcome odd =
+        report("'" + at("odd.rawlog").string() + "' -o '" + at("odd.html").string() + "'");
+    EXPECT_EQ(odd.exitCode, 0);
+    EXPECT_THAT(odd.output, AllOf(HasSubstr("odd.rawlog: 1 entries of unknown classes"),
+                                  HasSubstr(": unknown class a::Odd")));
+}
+
 TEST_F(Report, NeedsNoFileThatTheConfigurationNames)
 {
     fs::copy(VDAMF_SOURCE_DIR "/models/vehicle.txt", at("own.txt"));
