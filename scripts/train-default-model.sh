@@ -81,9 +81,9 @@ streets()
         done
     done
 }
-streets street 1 11 "HDL-32E HDL-64E VLP-16"
-streets green 101 9 "HDL-64E HDL-32E VLP-16" green=1
-streets built 201 4 "HDL-64E HDL-32E VLP-16" built=1
+streets street 1 22 "HDL-32E HDL-64E VLP-16"
+streets green 101 18 "HDL-64E HDL-32E VLP-16" green=1
+streets built 201 8 "HDL-64E HDL-32E VLP-16" built=1
 
 if [ -n "$data" ] && [ -d "$data/2011_09_26" ]; then
     for drive in 0001 0005; do
@@ -91,7 +91,7 @@ if [ -n "$data" ] && [ -d "$data/2011_09_26" ]; then
         [ -f "$work/$name.csv" ] ||
             "$apps/vdamf-import" kitti-raw "$data/2011_09_26/2011_09_26_drive_${drive}_sync" \
                 -o "$work/$name.rawlog" --truth "$work/$name.csv" --overwrite
-        record "$name" "scene = $name" "region_fov_deg = 70" "max_range_m = 60" "weight = 5"
+        record "$name" "scene = $name" "region_fov_deg = 70" "max_range_m = 60" "weight = 10"
         [ -z "$left_out" ] || options+=(--leave-out "$name")
     done
 else
@@ -104,7 +104,7 @@ if [ -n "$data" ] && [ -d "$log" ]; then
         VDAMF_APPS=$apps "$root/scripts/argoverse-sweeps.sh" "$log" "$work" argoverse > /dev/null
     [ -z "$left_out" ] || options+=(--leave-out argoverse)
     for truth in "$work"/argoverse_*_*.csv; do
-        record "$(basename "$truth" .csv)" "scene = argoverse" "max_range_m = 60" "weight = 5"
+        record "$(basename "$truth" .csv)" "scene = argoverse" "max_range_m = 60" "weight = 10"
     done
 else
     echo "no Argoverse sweeps ($log)" >&2
@@ -112,4 +112,5 @@ fi
 
 [[ " ${options[*]-} " == *" --cost "* ]] || options+=(--cost 0.02)
 [[ " ${options[*]-} " == *" --frames-per-track "* ]] || options+=(--frames-per-track 10)
+[[ " ${options[*]-} " == *" --vehicle-share "* ]] || options+=(--vehicle-share 0.25)
 "$apps/vdamf-train" classifier "$list" -o "$model" --overwrite "${options[@]}"

@@ -69,6 +69,7 @@ std::vector<std::string> recordOf(const ClassifierJob& job, const Training& trai
     std::ostringstream options;
     options << "cost " << training.cost << ", folds " << job.training.folds << ", seed "
             << job.training.seed << ", frames per track " << job.training.framesPerTrack;
+    if (job.training.vehicleShare) options << ", vehicle share " << *job.training.vehicleShare;
     record.push_back(options.str());
     const auto tell = [&](const char* name, const Quality& q)
     {

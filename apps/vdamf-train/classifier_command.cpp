@@ -32,6 +32,11 @@ void declareClassifier(CLI::App& command, ClassifierCommandLine& line)
                     "most frames of a track that are trained on")
         ->check(CLI::Range(1, 1000000))
         ->capture_default_str();
+    command
+        .add_option("--vehicle-share", training.vehicleShare,
+                    "share of vehicles in the frames of all objects where the model will be used "
+                    "(default: that of the recordings)")
+        ->check(CLI::Range(0.001, 0.999));
     command.add_option("--threads", training.threads, "folds that are trained at a time")
         ->check(CLI::Range(1, 64))
         ->capture_default_str();

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <map>
 #include <random>
 #include <set>
@@ -101,6 +102,51 @@ TEST(Training, FindsWhatTellsVehiclesAndIsCalibratedOnHeldOutTracks)
     EXPECT_NEAR(told / vehicles, 1.0, 0.05);
     EXPECT_EQ(t.counts.vehicleTracks, 100U);
     EXPECT_EQ(t.counts.clutterFrames, 1000U);
+}
+
+// Tracks of vehicles but one in five left out.
+std::vector<TrackSamples> withRareVehicles(const std::vector<TrackSamples>& tracks)
+{
+    std::vector<TrackSamples> rare;
+    int vehicles = 0;
+    for (const TrackSamples& track : tracks)
+    {
+        const bool isVehicle = track.frames.back().label == ObjectLabel::Vehicle;
+        if (!isVehicle || vehicles++ % 5 == 0) rare.push_back(track);
+    }
+    return rare;
+}
+
+// Vehicles told over those there are.
+double toldShare(const DiscriminatorModel& model, const std::vector<TrackSamples>& tracks)
+{
+    double told = 0.0;
+    double vehicles = 0.0;
+    for (const HeldOutFrame& f : judge(model, tracks))
+    {
+        told += f.frameProbability;
+        vehicles += f.sample->label == ObjectLabel::Vehicle ? 1.0 : 0.0;
+    }
+    return told / vehicles;
+}
+
+TEST(Training, IsCalibratedForTheShareOfVehiclesWhereTheModelIsUsed)
+{
+    const std::vector<TrackSamples> tracks = exampleTracks(900);
+    const std::vector<TrackSamples> there = withRareVehicles(tracks);
+    TrainingOptions options;
+    options.folds = 4;
+    options.costs = {1.0};
+    const auto model = [&] { return trainClassifier(tracks, kGrid, options, [](auto&) {}).model; };
+    EXPECT_GT(toldShare(model(), there), 1.5);
+    options.vehicleShare = 1.0 / 11.0;
+    const DiscriminatorModel rare = model();
+    EXPECT_NEAR(toldShare(rare, there), 1.0, 0.1);
+    EXPECT_NEAR(rare.frame.prior, std::log(0.1), 1e-3);
+    double told = 0.0;
+    for (const HeldOutFrame& f : judge(rare, there))
+        told += f.isLastOfTrack ? f.trackProbability : 0.0;
+    EXPECT_NEAR(told, 60.0, 6.0);
 }
 
 TEST(Training, IsTheSameForTheSameSeed)

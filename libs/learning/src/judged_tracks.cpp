@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "judged_tracks.h"
 
+#include <cmath>
+
 #include "vdamf/learning/calibrate.h"
 #include "vdamf/learning/logistic.h"
 
@@ -46,6 +48,16 @@ Calibrations calibrate(const std::vector<TrackSamples>& tracks, const Scores& sc
             judged.insert(judged.end(), static_cast<std::size_t>(tracks[i].weight),
                           judgedFrames(tracks[i], scores[i], result.frame));
     result.track = calibrateTracks(judged, result.frame.prior);
+    return result;
+}
+
+Calibrations withVehicleShare(const Calibrations& calibrations, double share)
+{
+    Calibrations result = calibrations;
+    result.frame.prior = std::log(share / (1.0 - share));
+    const double change = result.frame.prior - calibrations.frame.prior;
+    result.frame.offset += change;
+    result.track.offset += change;
     return result;
 }
 

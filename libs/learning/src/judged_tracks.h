@@ -21,6 +21,9 @@ struct Calibrations
 Calibrations calibrate(const std::vector<TrackSamples>& tracks, const Scores& scores,
                        const std::vector<int>& foldOf, int without);
 
+/// The same evidence, where another share of all frames, between 0 and 1, is vehicles'.
+Calibrations withVehicleShare(const Calibrations& calibrations, double share);
+
 /// Mean logarithmic loss of the labelled frames, calibrated on themselves.
 double frameLoss(const std::vector<TrackSamples>& tracks, const Scores& scores);
 

@@ -173,7 +173,9 @@ Training trainClassifier(const Tracks& tracks, const DiscriminationGrid& grid,
     const int none = -1;
     const LinearClassifier classifier = trainLinear(
         trainingSet(tracks, foldOf, none, options.framesPerTrack), features, training.cost);
-    training.model = modelOf(classifier, grid, calibrate(tracks, best, foldOf, none));
+    Calibrations calibrations = calibrate(tracks, best, foldOf, none);
+    if (options.vehicleShare) calibrations = withVehicleShare(calibrations, *options.vehicleShare);
+    training.model = modelOf(classifier, grid, calibrations);
     return training;
 }
 

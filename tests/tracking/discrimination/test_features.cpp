@@ -111,6 +111,22 @@ TEST(CanonicalFrame, ThinsEvenlyAcrossClusters)
     EXPECT_EQ(hits.z[81], second.height[5]);
 }
 
+TEST(CanonicalFrame, TakesHitsOfAllRingsThatComeByTurns)
+{
+    SeenCar scene = sceneAt(0.0, 0.0, 0.0, kBehindLeft);
+    for (std::size_t i = 0; i < scene.cluster.size(); ++i)
+        scene.cluster.height[i] = static_cast<float>(i % 4);
+    scene.view.clusters = {&scene.cluster};
+    for (const std::size_t most : {200U, 100U, 50U})
+    {
+        const CanonicalHits hits = toCanonicalFrame(scene.view, most);
+        ASSERT_LE(hits.size(), most);
+        for (const float ring : {0.0F, 1.0F, 2.0F, 3.0F})
+            EXPECT_NEAR(static_cast<double>(std::count(hits.z.begin(), hits.z.end(), ring)),
+                        0.25 * static_cast<double>(hits.size()), 1.0);
+    }
+}
+
 TEST(CanonicalFrame, DropsHitsThatAreNotFinite)
 {
     SeenCar scene = sceneAt(0.0, 0.0, 0.0, kBehindLeft);

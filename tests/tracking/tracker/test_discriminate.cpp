@@ -132,6 +132,20 @@ TEST(Discriminate, LooksAgainWhereMoreOrLessIsSeen)
         }
 }
 
+TEST(Discriminate, LooksAtTheSameFirstFramesWhateverTheIdentity)
+{
+    for (const double logOdds : {0.0, 2.5, 6.0})
+        for (std::uint64_t id = 0; id < 8; ++id)
+        {
+            Track track = carAlong(id);
+            for (const std::size_t hits : {100U, 101U, 102U})
+            {
+                track = seen(std::move(track), always(logOdds), hits);
+                EXPECT_EQ(track.judgement.hits, hits) << id;
+            }
+        }
+}
+
 TEST(Discriminate, TakesWhatItDoesNotLookAtToSayTheSame)
 {
     const Discriminator discriminator = always(0.7);

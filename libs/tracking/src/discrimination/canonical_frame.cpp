@@ -10,7 +10,8 @@ CanonicalHits toCanonicalFrame(const ObjectView& view, std::size_t maxHits)
 {
     CanonicalHits hits;
     for (const Cluster* cluster : view.clusters) hits.count += cluster->size();
-    const std::size_t step = std::max<std::size_t>(1, (hits.count + maxHits - 1) / maxHits);
+    // Odd: rings come by powers of two.
+    const std::size_t step = ((hits.count + maxHits - 1) / maxHits) | 1U;
 
     const Eigen::Vector2d sensor = toBoxFrame(view.box, view.sensor);
     // The closest corner lies on the sensor's side of both axes of the box.

@@ -54,14 +54,15 @@ const DiscriminatorModel& Discriminator::model() const
 // those that show more of it or less.
 bool Discriminator::mayTellMore(const Track& track, std::size_t hits) const
 {
-    constexpr int kFirst = 5;             // sightings
+    constexpr int kFirst = 3;             // sightings: by these it may be ruled out
+    constexpr int kFirstIfOpen = 5;       // of one that is not certain
     constexpr double kCertain = 2.2;      // log odds
     constexpr double kMostCertain = 3.3;  // log odds
     constexpr double kAlike = 1.5;        // ratio of numbers of hits
     const Judgement& last = track.judgement;
     const double certainty = std::abs(trackLogOdds(last.evidence, model().track));
     const bool isCertain = certainty > kCertain;
-    if (!isCertain && track.sightings <= kFirst) return true;
+    if (track.sightings <= (isCertain ? kFirst : kFirstIfOpen)) return true;
     const std::uint64_t turns = certainty > kMostCertain ? 8 : (isCertain ? 4 : 2);
     if ((static_cast<std::uint64_t>(track.sightings) + track.id) % turns == 0) return true;
     const double ratio = static_cast<double>(hits) / static_cast<double>(last.hits);

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,9 @@ struct TrainingOptions
     int framesPerTrack = 40;
     int threads = 2;  ///< folds that are trained at a time; each takes memory of its own
     std::vector<double> costs = {0.01, 0.03, 0.1, 0.3, 1.0};  ///< C of the classifier, to try
+    /// Of the frames of all objects where the model will be used, between 0 and 1; none: as in the
+    /// tracks given.
+    std::optional<double> vehicleShare;
 };
 
 /// A labelled frame of a track, judged by a model that knew neither the track nor any of its group.
@@ -60,7 +64,8 @@ struct Training
 TrainingCounts countsOf(const std::vector<TrackSamples>& tracks);
 
 /// Cross-validation by groups of tracks chooses the cost; scores of held-out tracks calibrate the
-/// probabilities. Those of `heldOut` come from calibrations that did not see their tracks either.
+/// probabilities. Those of `heldOut` come from calibrations that did not see their tracks either,
+/// for the share of vehicles that there is in these.
 /// Deterministic. `progress` gets a line for each step. Throws std::runtime_error where there are
 /// too few groups, or only one kind of object.
 Training trainClassifier(const std::vector<TrackSamples>& tracks, const DiscriminationGrid& grid,

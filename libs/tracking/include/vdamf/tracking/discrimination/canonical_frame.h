@@ -36,7 +36,7 @@ struct CanonicalHits
     std::size_t size() const { return x.size(); }
 };
 
-/// At most about `maxHits` hits, evenly chosen; hits that are not finite are dropped.
+/// At most about `maxHits` hits, evenly chosen of all rings; hits that are not finite are dropped.
 CanonicalHits toCanonicalFrame(const ObjectView& view, std::size_t maxHits = 512);
 
 }  // namespace vdamf
