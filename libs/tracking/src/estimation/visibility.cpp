@@ -175,7 +175,7 @@ FaceErrors withShortRows(const FaceErrors& errors, const Measurement& m,
         for (int end = 0; end < 2; ++end)
         {
             const bool isSeen = m.facesSeen.has(kFaceAt[axis][end]);
-            if (isSeen || !errors.tells(axis, end) || errors.tells(axis, 1 - end)) continue;
+            if (isSeen || !errors.tells(axis, end)) continue;
             double& sigma = next.sigma[axis][end];
             sigma = std::max(sigma, -outsideOf(predicted.box(), m.box, axis, end));
         }

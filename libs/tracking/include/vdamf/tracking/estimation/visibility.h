@@ -121,8 +121,8 @@ FaceErrors faceErrors(const Measurement& measurement, const VisibilityOptions& o
 FaceErrors faceErrors(const Measurement& measurement, const VehicleState& predicted,
                       const VisibilityOptions& options);
 
-/// The same for what stands and whose size is known: where a row of hits is all that tells of an
-/// axis and ends behind where the predicted face is, it is cut short, and counts less by as much.
+/// The same for what stands and whose size is known: where a row of hits ends behind where the
+/// predicted face is, it is cut short there, and that end counts less by as much.
 FaceErrors withShortRows(const FaceErrors& errors, const Measurement& measurement,
                          const VehicleState& predicted);
 
