@@ -80,6 +80,19 @@ TEST_F(Train, MakesAModelThatVdamfTrackTakes)
     EXPECT_GT(vehicles, 20);
 }
 
+TEST_F(Train, CalibratesForTheShareOfVehiclesThatIsAskedFor)
+{
+    makeList();
+    const std::string command = "classifier list.ini --folds 3 --cost 0.1 -q -o vehicle.txt ";
+    ASSERT_EQ(run("vdamf-train", command + "--vehicle-share 0.1"), 0) << output_;
+    EXPECT_THAT(readTextFile(at("vehicle.txt")), HasSubstr("vehicle share 0.1\n"));
+    for (const char* share : {"0", "1", "-0.5", "many"})
+    {
+        EXPECT_EQ(run("vdamf-train", command + "--overwrite --vehicle-share " + share), 2);
+        EXPECT_THAT(output_, HasSubstr("--vehicle-share"));
+    }
+}
+
 TEST_F(Train, WithoutADiscriminatorTracksHaveNoProbability)
 {
     ASSERT_EQ(
