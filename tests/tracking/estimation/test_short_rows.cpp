@@ -25,5 +25,23 @@ TEST(ShortRows, TellNothingOfWhereWhatStandsIsAtEitherEndThatTheyFallShortOf)
     EXPECT_EQ(moved.sigma[0][1], options.sizeSigma);
 }
 
+TEST(ShortRows, LieInsideWhereTheVehicleSurelyIs)
+{
+    VehicleState before = known({0.0, 4.0, 0.0, 4.0, 1.7}, 0.1);
+    const auto lies = [&](double x, double length) {
+        return isInside(measured({x, 4.0, 0.0, length, 1.7}, faces({Face::Right})), before);
+    };
+    before.covariance(kX, kX) = 0.04;
+    EXPECT_TRUE(lies(0.2, 1.6));
+    EXPECT_FALSE(lies(1.0, 1.6)) << "to within the front";
+    EXPECT_FALSE(lies(-1.0, 1.6)) << "to within the rear";
+    EXPECT_FALSE(lies(0.0, 3.8));
+    Measurement hidden = measured({0.2, 4.0, 0.0, 1.6, 1.7}, faces({Face::Right}));
+    hidden.hiddenEnds.add(Face::Back);
+    EXPECT_FALSE(isInside(hidden, before)) << "the front alone is told";
+    before.covariance(kX, kX) = 1.0;
+    EXPECT_FALSE(lies(0.2, 1.6)) << "where it is, is not known";
+}
+
 }  // namespace
 }  // namespace vdamf

@@ -167,6 +167,18 @@ FaceErrors faceErrors(const Measurement& m, const VehicleState& predicted,
     return errors;
 }
 
+bool isInside(const Measurement& m, const VehicleState& predicted)
+{
+    constexpr double kSurely = 2.0;  // sigmas
+    if (!locatesLength(m)) return false;
+    const Eigen::Vector2d along = rotation(predicted.mean(kHeading)).col(0);
+    const double variance = along.dot(predicted.covariance.topLeftCorner<2, 2>() * along) +
+                            0.25 * predicted.covariance(kLength, kLength);
+    const double most = -kSurely * std::sqrt(variance);
+    return outsideOf(predicted.box(), m.box, 0, 0) < most &&
+           outsideOf(predicted.box(), m.box, 0, 1) < most;
+}
+
 FaceErrors withShortRows(const FaceErrors& errors, const Measurement& m,
                          const VehicleState& predicted)
 {

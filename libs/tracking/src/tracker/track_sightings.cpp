@@ -101,7 +101,8 @@ BoxMeasurement boxOf(const Sighting& sighting, const Measurement& m, const Track
                      const VehicleState& then, const VisibilityOptions& options)
 {
     FaceErrors errors = faceErrors(m, then, options);
-    if (stands(track) && track.told.length) errors = withShortRows(errors, m, then);
+    if (track.told.length && (stands(track) || isInside(m, then)))
+        errors = withShortRows(errors, m, then);
     BoxMeasurement box = boxThrough(m, errors, then.size(), sighting.sensor, options);
     box.lag = sighting.lag;
     return box;
