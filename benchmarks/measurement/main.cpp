@@ -12,6 +12,7 @@
 #include "measurement/recorded.h"
 #include "measurement/tables.h"
 #include "program.h"
+#include "vdamf/files/folder.h"
 #include "vdamf/files/ini.h"
 #include "vdamf/files/text_file.h"
 #include "vdamf/learning/clusters/simulated_clusters.h"
@@ -160,7 +161,7 @@ std::vector<vdamf::CaseSummary> pictured(const std::vector<vdamf::CaseSummary>& 
 int run(const Cli& cli)
 {
     const std::vector<vdamf::Method> methods = methodsOf(cli);
-    if (!cli.out.empty()) fs::create_directories(cli.out);
+    if (!cli.out.empty()) vdamf::makeFolder(cli.out);
     std::printf("%s", vdamf::legend().c_str());
     Results results;
     for (const vdamf::LabelledClusters& condition : conditionsOf(cli))

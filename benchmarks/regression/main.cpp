@@ -13,6 +13,7 @@
 #include "regression/run.h"
 #include "regression/seeds.h"
 #include "regression/tables.h"
+#include "vdamf/files/folder.h"
 #include "vdamf/files/text_file.h"
 
 namespace
@@ -143,7 +144,7 @@ int run(const Cli& cli, const Plan& plan)
 {
     for (const std::string& note : plan.notes) std::printf("%s\n", note.c_str());
     const fs::path out = cli.out;
-    fs::create_directories(out);
+    vdamf::makeFolder(out);
     const Results results = resultsOf(plan.scenarios, cli);
     const std::vector<std::string> broken = vdamf::violations(plan.bounds, results.rows);
     const std::string problems =

@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "vdamf/experiments/process.h"
+#include "vdamf/files/folder.h"
 #include "vdamf/files/numbers.h"
 #include "vdamf/files/text_file.h"
 
@@ -26,7 +27,7 @@ struct RunFiles
 // In a folder without what an earlier run has left there.
 RunFiles preparedFiles(const fs::path& folder)
 {
-    fs::create_directories(folder);
+    makeFolder(folder);
     RunFiles files{folder / "scans.rawlog", folder / "truth.csv", folder / "tracks.csv",
                    folder / "metrics.json", folder / "log.txt"};
     for (const fs::path& file : {files.scans, files.truth, files.tracks, files.metrics, files.log})

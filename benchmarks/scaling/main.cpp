@@ -9,6 +9,7 @@
 #include "scaling/recorded_frames.h"
 #include "scaling/stress_scene.h"
 #include "scaling/tables.h"
+#include "vdamf/files/folder.h"
 #include "vdamf/files/text_file.h"
 
 namespace
@@ -88,7 +89,7 @@ int run(const Cli& cli)
             if (targets > 0) runs.push_back(timedScene(targets, cli.frames, n));
     std::printf("%s", stageTable(runs).c_str());
     if (cli.out.empty()) return kDone;
-    fs::create_directories(cli.out);
+    vdamf::makeFolder(cli.out);
     writeTextFile(fs::path(cli.out) / "scaling.csv", timesCsv(runs));
     writeTextFile(fs::path(cli.out) / "scaling.svg", scalingSvg(runs));
     return kDone;

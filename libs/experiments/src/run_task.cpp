@@ -11,6 +11,7 @@
 
 #include "vdamf/evaluation/evaluation_json.h"
 #include "vdamf/experiments/digest.h"
+#include "vdamf/files/folder.h"
 #include "vdamf/files/text_file.h"
 
 namespace vdamf
@@ -124,7 +125,7 @@ void writeTask(const RunTask& task, const fs::path& folder)
 {
     IniWriter writer;
     writer.write("task", "One run of a sweep", task);
-    fs::create_directories(folder);
+    makeFolder(folder);
     writeTextFile(folder / "config.ini", task.configuration);
     writeTextFile(folder / "task.ini", writer.text());
 }

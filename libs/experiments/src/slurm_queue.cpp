@@ -7,6 +7,7 @@
 #include "split.h"
 #include "vdamf/experiments/digest.h"
 #include "vdamf/experiments/process.h"
+#include "vdamf/files/folder.h"
 #include "vdamf/files/numbers.h"
 #include "vdamf/files/text_file.h"
 
@@ -37,7 +38,7 @@ SlurmQueue::SlurmQueue(WorkerCommand worker, SlurmOptions options, fs::path fold
       folder_(fs::absolute(folder)),
       name_("vdamf-sweep-" + digestOf(folder_.string()).substr(0, 12))
 {
-    fs::create_directories(folder_);
+    makeFolder(folder_);
     writeTextFile(folder_ / "task.sh", kScript);
 }
 

@@ -7,6 +7,7 @@
 #include "vdamf/experiments/metric_names.h"
 #include "vdamf/experiments/optimise.h"
 #include "vdamf/experiments/setting_configuration.h"
+#include "vdamf/files/folder.h"
 
 namespace vdamf
 {
@@ -62,7 +63,7 @@ private:
             tasks.push_back({folder_ / "tasks" / planned.row.run, planned.task.result});
             missing.push_back(&planned);
         }
-        fs::create_directories(folder_ / "runs");
+        makeFolder(folder_ / "runs");
         for (std::size_t i = 0; i < tasks.size(); ++i) writeTask(missing[i]->task, tasks[i].folder);
         if (tasks.empty()) return failures;
         engine_(tasks, stop_,

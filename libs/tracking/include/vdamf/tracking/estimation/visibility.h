@@ -121,15 +121,15 @@ FaceErrors faceErrors(const Measurement& measurement, const VisibilityOptions& o
 FaceErrors faceErrors(const Measurement& measurement, const VehicleState& predicted,
                       const VisibilityOptions& options);
 
-/// Whether a row of hits along the length, neither end of which is known to be hidden, lies inside
-/// of where the vehicle surely is (by two sigmas), at both ends.
-bool isInside(const Measurement& measurement, const VehicleState& predicted);
-
 /// The same for what stands, or has a row inside of it, and whose size is known: where a row of
 /// hits ends behind where the predicted face is, it is cut short there, and that end counts less by
 /// as much.
 FaceErrors withShortRows(const FaceErrors& errors, const Measurement& measurement,
                          const VehicleState& predicted);
+
+/// Whether a row of hits along the length, neither end of which is known to be hidden, lies inside
+/// of where the vehicle surely is (by two sigmas), at both ends.
+bool isInside(const Measurement& measurement, const VehicleState& predicted);
 
 /// The predicted state, less certain of its size where the measurement shows clearly more than it
 /// knew: hits never add to a vehicle, so the face that is ahead most is news. Speed is not touched:
