@@ -2,6 +2,7 @@
 // Which side of a box is taken for the front, where one side or a part of it is in view.
 #include <gtest/gtest.h>
 
+#include "tracker/neighbourhood.h"
 #include "tracker/track.h"
 #include "tracking/tracker/example_frames.h"
 #include "vdamf/tracking/tracker/tracker.h"
@@ -54,11 +55,72 @@ TEST(Headings, RowsAlongAnUnknownHeadingTellNoSizes)
     sighting.measurement.facesSeen.add(Face::Back);
     sighting.measurement.covariance = Matrix5d::Identity() * 1e-3;
     sighting.end = {3.2, 19.0, 0.0};
-    EXPECT_TRUE(sizeCues(sighting, 1.5).end);
+    EXPECT_TRUE(sizeCues(sighting, sighting.measurement, 1.5).end);
     for (const double variance : {0.05, 1.2})
     {
         sighting.measurement.covariance(2, 2) = variance;
-        EXPECT_FALSE(sizeCues(sighting, 1.5).end) << variance;
+        EXPECT_FALSE(sizeCues(sighting, sighting.measurement, 1.5).end) << variance;
+    }
+}
+
+// The left side that a sighting shows was found to be the edge of a shadow.
+TEST(Headings, FacesThatWereRuledOutTellNoSizes)
+{
+    Sighting sighting;
+    sighting.measurement.facesSeen.add(Face::Back);
+    sighting.measurement.facesSeen.add(Face::Left);
+    sighting.measurement.covariance = Matrix5d::Identity() * 1e-3;
+    sighting.side = {2.2, 40.0, 0.0};
+    sighting.end = {1.2, 40.0, 0.0};
+    Measurement told = sighting.measurement;
+    told.facesSeen.remove(Face::Left);
+    EXPECT_TRUE(sizeCues(sighting, sighting.measurement, 1.5).side);
+    EXPECT_FALSE(sizeCues(sighting, told, 1.5).side);
+    EXPECT_TRUE(sizeCues(sighting, told, 1.5).end);
+}
+
+// A parked car is seen from behind, then its left part goes behind a post whose shadow ends on it.
+TEST(Headings, TheEdgeOfAShadowTurnsNothing)
+{
+    const auto rear = [](double time)
+    {
+        Sighting s;
+        s.time = time;
+        s.measurement.box = {12.0, -4.0, 0.0, 4.4, 1.8};
+        s.measurement.covariance =
+            (Vector5d() << 1e-3, 1e-3, 1e-5, 1e-3, 1e-3).finished().asDiagonal();
+        s.measurement.facesSeen.add(Face::Back);
+        s.measurement.hiddenEnds.add(Face::Front);
+        s.measurement.hits = 200;
+        s.measurement.match = 0.5;
+        s.around = {10.0, -4.0, 0.0, 0.4, 1.8};
+        s.height = 1.5;
+        s.end = {1.8, 60.0};
+        return s;
+    };
+    const auto rightPart = [&](double time)
+    {
+        Sighting s = rear(time);
+        s.measurement.box = {10.9, -4.3, 0.0, 2.2, 1.2};
+        s.measurement.facesSeen.add(Face::Left);
+        s.measurement.shadowEdges.add(Face::Left);
+        s.measurement.hiddenEnds = {};
+        s.around = s.measurement.box;
+        s.side = {2.2, 40.0};
+        s.end = {1.2, 40.0};
+        return s;
+    };
+    const TrackerOptions options;
+    VehicleKalmanFilter filter(options.motion);
+    Track track = startedTrack(1, rear(0.0), {0.0, options.lifecycle.startSpeedSigma}, options);
+    for (int k = 1; k <= 40; ++k)
+    {
+        track = predictedTrack(std::move(track), 0.1, {0.0, 0.0}, filter, options.motion);
+        track = sightedTrack(std::move(track), k < 9 ? rear(0.1 * k) : rightPart(0.1 * k),
+                             Neighbourhood(), filter, options);
+        if (k < 9) continue;
+        EXPECT_NEAR(track.state.mean(kHeading), 0.0, 0.05) << k;
+        EXPECT_GT(track.front.axesProbability(), 0.9) << k;
     }
 }
 

@@ -97,5 +97,35 @@ TEST(OneTime, PartsOfTwoRevolutionsMayBeTurnedWhileTheSpeedChanges)
     EXPECT_EQ(part.turnSigma, 0.0);
     EXPECT_FALSE(hitsAtOneTime(rearInTwoShots(true), {0}, motion, 0.0).areParts);
 }
+
+// The side of a car beside the sensor, which turns past it for 40 ms; or its ends alone.
+SegmentedFrame sideOverLongTime(bool hasGap)
+{
+    Cluster side;
+    for (int i = 0; i <= 40; ++i)
+    {
+        if (hasGap && i > 4 && i < 36) continue;
+        side.x.push_back(0.1F * static_cast<float>(i) - 2.0F);
+        side.y.push_back(2.0F);
+        side.z.push_back(0.5F);
+        side.height.push_back(0.5F);
+        side.time.push_back(0.001F * static_cast<float>(i));
+    }
+    SegmentedFrame frame;
+    frame.clusters.push_back(side);
+    frame.hits.push_back(projectHits(side, 0.0));
+    return frame;
+}
+
+TEST(OneTime, WhatIsCloseIsHitForLongAndWhole)
+{
+    TargetMotion unknown;
+    unknown.speedSigma = 16.0;
+    const HitsAtOneTime seen = hitsAtOneTime(sideOverLongTime(false), {0}, unknown, 0.0);
+    EXPECT_FALSE(seen.areParts);
+    EXPECT_FALSE(seen.goesOn);
+    EXPECT_EQ(seen.each->size(), 41U);
+    EXPECT_TRUE(hitsAtOneTime(sideOverLongTime(true), {0}, unknown, 0.0).areParts);
+}
 }  // namespace
 }  // namespace vdamf

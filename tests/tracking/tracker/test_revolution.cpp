@@ -184,5 +184,38 @@ TEST(Revolution, AMeasurementOfLaterTellsOfNow)
     EXPECT_LT((first.covariance - later.covariance).norm(), 0.01 * first.covariance.norm());
 }
 
+// It is beside the sensor for more than a quarter of each revolution.
+TEST(Revolution, AParkedCarCloseBesideASlowScannerIsOneCar)
+{
+    constexpr double kSlow = 0.2;
+    Tracker tracker{optionsForBoxes()};
+    const OrientedBox truth{0.0, 2.3, 0.0, 4.5, 1.8};
+    std::set<std::uint64_t> ids;
+    for (int k = 0; k < 12; ++k)
+    {
+        const FrameResult r = tracker.process(
+            exampleFrame(kSlow * k, {0.0, 0.0}, {{truth}}, 260U + unsigned(k), kSlow));
+        for (const TrackReport& track : r.tracks) ids.insert(track.id);
+        if (k < 6) continue;
+        const TrackReport* track = onlyConfirmedNear(r, truth.centre());
+        ASSERT_NE(track, nullptr) << k;
+        EXPECT_NEAR(track->box.length, 4.5, 0.3) << k;
+    }
+    EXPECT_EQ(ids.size(), 1U);
+}
+
+// Nothing else is hit above the ground, but neither is where scans begin and end.
+TEST(Revolution, TwoCarsInAnEmptyFieldAreNotPartsOfOne)
+{
+    Tracker tracker{optionsForBoxes()};
+    const std::vector<ExampleBody> bodies{{{3.5, 18.0, 0.0, 4.5, 1.8}},
+                                          {{3.5, -18.5, 0.0, 4.5, 1.8}}};
+    const FrameResult first = tracker.process(exampleFrame(0.0, {0.0, 0.0}, bodies, 1U, kPeriod));
+    ASSERT_EQ(first.tracks.size(), 2U);
+    Tracker untimed{optionsForBoxes()};
+    const FrameResult same = untimed.process(exampleFrame(0.0, {0.0, 0.0}, bodies, 1U));
+    for (std::size_t k = 0; k < 2; ++k)
+        EXPECT_NEAR(first.tracks[k].box.length, same.tracks[k].box.length, 0.05) << k;
+}
 }  // namespace
 }  // namespace vdamf

@@ -33,7 +33,7 @@ double shapeCue(const Sighting& sighting, double turned)
 // What the sighting just taken in and the path that it ends tell of the front.
 HeadingCues cuesOf(const Track& track, const Sighting& sighting)
 {
-    HeadingCues cues = sizeCues(sighting, track.height);
+    HeadingCues cues = sizeCues(sighting, *track.measurement, track.height);
     const double turned = sighting.measurement.box.heading - track.state.mean(kHeading);
     cues.shape = track.judgement.probability * shapeCue(sighting, turned);
     const double speed = track.state.mean(kSpeed);
@@ -181,7 +181,7 @@ int towardsPath(const Track& track, int quarters)
 }
 }  // namespace
 
-HeadingCues sizeCues(const Sighting& sighting, double height)
+HeadingCues sizeCues(const Sighting& sighting, const Measurement& m, double height)
 {
     // Rows of few hits break off before the face ends.
     constexpr double kFewHits = 30.0;
@@ -189,7 +189,6 @@ HeadingCues sizeCues(const Sighting& sighting, double height)
     constexpr double kStillWhole = 0.25;
     // Rows along faces that may as well lie otherwise tell nothing.
     constexpr double kVague = 0.2;  // rad
-    const Measurement& m = sighting.measurement;
     const auto extentOf = [](const FaceRow& row, bool isWhole)
     {
         return FaceExtent{row.metres,

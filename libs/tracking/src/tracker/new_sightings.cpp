@@ -14,38 +14,36 @@ namespace vdamf
 namespace
 {
 constexpr double kAtSeam = 0.002;    // s, from the begin or the end of a revolution
+constexpr double kAcrossSeam = 0.3;  // rad, between what is hit at both ends of one
 constexpr double kSeamMotion = 4.5;  // m, along the line of sight, of a fast target in a revolution
 
 bool mayStart(const SegmentedFrame& frame, std::size_t i, const LifecycleOptions& options)
 {
     return frame.hits[i].totalWeight >= options.minHits &&
-           heightOf(frame.clusters[i]) >= options.minHeight;
+           (frame.planar || heightOf(frame.clusters[i]) >= options.minHeight);
 }
 
-// Times of the first and the last hit, s; equal where hits have no times.
-struct TimeRange
+// When a hit was taken, s after the frame's time, and where, from the sensor.
+struct TimedHit
 {
-    float first = 0.0F;
-    float last = 0.0F;
+    float time = 0.0F;
+    Eigen::Vector2d at;
 };
 
-TimeRange timesOf(const Cluster& cluster)
+struct TimeRange
 {
-    if (cluster.time.empty()) return {};
-    const auto [first, last] = std::minmax_element(cluster.time.begin(), cluster.time.end());
-    return {*first, *last};
-}
+    TimedHit first, last;
+};
 
-TimeRange timesOf(const SegmentedFrame& frame)
+TimeRange timesOf(const Cluster& cluster, const Eigen::Vector2d& sensor)
 {
-    TimeRange all{1e9F, -1e9F};
-    for (const Cluster& cluster : frame.clusters)
+    const auto [first, last] = std::minmax_element(cluster.time.begin(), cluster.time.end());
+    const auto hit = [&](std::vector<float>::const_iterator time)
     {
-        const TimeRange one = timesOf(cluster);
-        all.first = std::min(all.first, one.first);
-        all.last = std::max(all.last, one.last);
-    }
-    return all;
+        const auto i = static_cast<std::size_t>(time - cluster.time.begin());
+        return TimedHit{*time, Eigen::Vector2d(cluster.x[i], cluster.y[i]) - sensor};
+    };
+    return {hit(first), hit(last)};
 }
 
 Eigen::Vector2d middleOf(const Hits& hits)
@@ -61,26 +59,39 @@ double rangeOf(const SegmentedFrame& frame, std::size_t i)
     return (middleOf(frame.hits[i]) - frame.sensor).norm();
 }
 
+// A cluster that ends at the seam, and its last hit there.
+struct SeamEnd
+{
+    std::size_t cluster;
+    Eigen::Vector2d at;  // from the sensor, m
+};
+
 // Clusters that end at the seam, before it (late) and behind it (early).
 struct Seam
 {
-    std::vector<std::size_t> early, late;
+    std::vector<SeamEnd> early, late;
 };
 
 Seam seamOf(const SegmentedFrame& frame, const std::vector<std::size_t>& free)
 {
-    const TimeRange all = timesOf(frame);
     Seam seam;
     for (const std::size_t i : free)
     {
-        const TimeRange one = timesOf(frame.clusters[i]);
-        if (one.last - one.first > 0.5F * (all.last - all.first)) continue;
-        if (one.first < all.first + kAtSeam)
-            seam.early.push_back(i);
-        else if (one.last > all.last - kAtSeam)
-            seam.late.push_back(i);
+        if (frame.clusters[i].time.empty()) continue;
+        const auto [first, last] = timesOf(frame.clusters[i], frame.sensor);
+        if (last.time - first.time > 0.5F * (frame.lastTime - frame.firstTime)) continue;
+        if (first.time < frame.firstTime + kAtSeam)
+            seam.early.push_back({i, first.at});
+        else if (last.time > frame.lastTime - kAtSeam)
+            seam.late.push_back({i, last.at});
     }
     return seam;
+}
+
+// Sensors that do not turn all around end their scans elsewhere than they begin them.
+bool areAtOneBearing(const SeamEnd& a, const SeamEnd& b)
+{
+    return a.at.dot(b.at) > std::cos(kAcrossSeam) * a.at.norm() * b.at.norm();
 }
 
 constexpr std::size_t kNoOther = static_cast<std::size_t>(-1);
@@ -90,10 +101,13 @@ std::vector<std::size_t> partners(const SegmentedFrame& frame, const std::vector
 {
     std::vector<std::size_t> partner(frame.clusters.size(), kNoOther);
     const Seam seam = seamOf(frame, free);
-    for (const std::size_t i : seam.early)
-        for (const std::size_t j : seam.late)
+    for (const SeamEnd& early : seam.early)
+        for (const SeamEnd& late : seam.late)
         {
-            const bool near = std::abs(rangeOf(frame, i) - rangeOf(frame, j)) < kSeamMotion;
+            const std::size_t i = early.cluster;
+            const std::size_t j = late.cluster;
+            const bool near = areAtOneBearing(early, late) &&
+                              std::abs(rangeOf(frame, i) - rangeOf(frame, j)) < kSeamMotion;
             if (!near || partner[i] != kNoOther || partner[j] != kNoOther) continue;
             partner[i] = j;
             partner[j] = i;
@@ -154,7 +168,7 @@ Sighting withLikelierAxes(Sighting sighting, const Neighbourhood& around,
     const Measurement& m = sighting.measurement;
     const auto taken = [&](const Measurement& as)
     { return placeTaken(as, sighting.height, sighting.sensor, around, kNew, options); };
-    const double evidence = axesEvidence(sizeCues(sighting, sighting.height)) +
+    const double evidence = axesEvidence(sizeCues(sighting, m, sighting.height)) +
                             around.axesEvidence(m.box, kNew) + taken(turnedBy(m, 1)) - taken(m);
     if (evidence < 0.0)
     {

@@ -9,7 +9,7 @@ namespace vdamf
 {
 namespace
 {
-constexpr double kSeamGap = 0.03;      // s; nothing else than the seam of revolutions takes longer
+constexpr double kSeamGap = 0.03;      // s between hits; nothing else than the seam takes longer
 constexpr double kMostDistance = 0.3;  // m, by which parts that are put together may be misplaced
 constexpr double kStill = 0.005;       // m, of motion that needs no correction
 
@@ -44,6 +44,22 @@ TimeSpan spanOf(const Cluster& cluster)
         span.last = std::max(span.last, static_cast<double>(t));
     }
     return span;
+}
+
+// Between the last hit before the middle of the span and the first one after it, s. What is close
+// takes long as well, but a sensor hits it all the while.
+double gapInMiddle(const Cluster& cluster, const TimeSpan& span)
+{
+    const double middle = 0.5 * (span.first + span.last);
+    TimeSpan gap{span.first, span.last};
+    for (const float t : cluster.time)
+    {
+        if (t < middle)
+            gap.first = std::max(gap.first, static_cast<double>(t));
+        else
+            gap.last = std::min(gap.last, static_cast<double>(t));
+    }
+    return gap.length();
 }
 
 struct PartsInTime
@@ -141,7 +157,7 @@ HitsAtOneTime hitsAtOneTime(const SegmentedFrame& frame, const std::vector<std::
     }
     Cluster all = *clustersOf(frame, clusters);
     TimeSpan span = spanOf(all);
-    result.areParts = span.length() > kSeamGap;
+    result.areParts = span.length() > kSeamGap && gapInMiddle(all, span) > kSeamGap;
     if (result.areParts)
     {
         PartsInTime parts = splitInTime(all, span);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tracker/segmentation.h"
 
+#include <algorithm>
 #include <limits>
 #include <utility>
 
@@ -17,6 +18,12 @@ SegmentedFrame segmentedFrame(const LadarFrame& frame, const AboveGround& above,
     s.sensorZ = frame.sensor.z() - frame.origin.z();
     s.points = frame.points.size();
     s.planar = frame.planar;
+    const std::vector<float>& times = frame.points.time;
+    if (!times.empty())
+    {
+        s.firstTime = *std::min_element(times.begin(), times.end());
+        s.lastTime = *std::max_element(times.begin(), times.end());
+    }
     s.pointsAboveGround = above.index.size();
     s.profile = rangeProfile(frame, above);
     // A level scan does not tell where it looks and hits nothing.

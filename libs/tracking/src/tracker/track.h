@@ -131,8 +131,9 @@ Track startedTrack(std::uint64_t id, const Sighting& sighting, const StartSpeed&
 Track sightedTrack(Track track, const Sighting& sighting, const Neighbourhood& around,
                    VehicleKalmanFilter& filter, const TrackerOptions& options);
 
-/// What the faces that a sighting shows of a vehicle of that height (m) tell of its axes.
-HeadingCues sizeCues(const Sighting& sighting, double height);
+/// What the faces of a measurement, and the rows of hits that the sighting shows along them, tell
+/// of the axes of a vehicle of that height (m).
+HeadingCues sizeCues(const Sighting& sighting, const Measurement& m, double height);
 
 /// The track with its front where path and sizes say it is: exchanged with the rear or turned by a
 /// quarter once the odds for that are high. `sighting` is the one that was just taken in.

@@ -65,7 +65,8 @@ bool stands(const Track& track)
 // Of what has a known length and goes out of sight the last hits are on any part of it, and where
 // they are expected: they tell that it is there, and not where its faces are. Hits on a corner
 // alone may seem to turn.
-bool isLastGlimpse(const Track& track, const Sighting& sighting, double margin)
+bool isLastGlimpse(const Track& track, const Sighting& sighting, const VehicleState& foretold,
+                   double margin)
 {
     constexpr double kPart = 0.25;   // of the length
     constexpr double kTurned = 0.2;  // rad: nothing turns as much from one frame to the next
@@ -74,15 +75,14 @@ bool isLastGlimpse(const Track& track, const Sighting& sighting, double margin)
     if (!track.told.length) return false;
     const bool isStanding = stands(track);
     const double turned =
-        std::abs(std::remainder(m.box.heading - track.state.mean(kHeading), 0.5 * kPi));
+        std::abs(std::remainder(m.box.heading - foretold.mean(kHeading), 0.5 * kPi));
     const double mayTurn =
-        isStanding ? kTurned
-                   : kTurned + 3.0 * std::sqrt(track.state.covariance(kHeading, kHeading));
+        isStanding ? kTurned : kTurned + 3.0 * std::sqrt(foretold.covariance(kHeading, kHeading));
     const bool showsFaces = m.hits >= kFew && turned <= mayTurn &&
                             (isStanding ? m.hiddenEnds.empty() : !m.facesSeen.empty());
     const bool isPart =
-        std::hypot(sighting.around.length, sighting.around.width) < kPart * track.box().length;
-    return isPart && !showsFaces && isWithin(sighting.around, track.box(), margin);
+        std::hypot(sighting.around.length, sighting.around.width) < kPart * foretold.mean(kLength);
+    return isPart && !showsFaces && isWithin(sighting.around, foretold.box(), margin);
 }
 
 // With the heading that it showed since it came to stand.
@@ -210,7 +210,7 @@ Track startedTrack(std::uint64_t id, const Sighting& sighting, const StartSpeed&
     if (!track.told.length)
         track.assumedLength = assumedSizes(m, track.height, options.visibility).length;
     track.around = inFrameOf(seen.box(), sighting.around);
-    HeadingCues cues = sizeCues(sighting, track.height);
+    HeadingCues cues = sizeCues(sighting, m, track.height);
     cues.shape = track.judgement.probability * sighting.front;
     track.front = HeadingBelief(cues);
     track.measurement = m;
@@ -246,7 +246,7 @@ Track sightedTrack(Track track, const Sighting& seen, const Neighbourhood& aroun
     track.areParts = sighting.areParts;
     track = withFacesChecked(std::move(track), sighting, options.motion);
     if (track.isFaceless) return sightedByHits(std::move(track), sighting, filter, options);
-    if (isLastGlimpse(track, sighting, options.association.surfaceSigma))
+    if (isLastGlimpse(track, sighting, foretold, options.association.surfaceSigma))
         return withHit(std::move(track), sighting.time, options.lifecycle);
     track =
         grownToAVehicle(std::move(track), m, std::max(track.height, sighting.height), visibility);
