@@ -14,7 +14,7 @@ namespace vdamf
 namespace
 {
 constexpr int kProfileSectors = 720;
-constexpr float kHidingHeight = 0.6F;  // m
+constexpr float kHidingHeight = 0.6F;  // m, where heights are known
 
 constexpr int kProfileLayers = static_cast<int>(RangeProfile::kLayers);
 
@@ -27,7 +27,7 @@ struct LocatedBlock
     std::array<std::uint16_t, kSize> place;  // layer by layer
 
     void locate(const PointCloud& points, const std::uint32_t* index, const float* height,
-                std::size_t size, const Eigen::Vector3f& sensor)
+                std::size_t size, const Eigen::Vector3f& sensor, float hidingHeight)
     {
         inWideLanes([
             =, px = points.x.data(), py = points.y.data(), pz = points.z.data(), sx = sensor.x(),
@@ -39,7 +39,7 @@ struct LocatedBlock
                 const float dx = px[index[i]] - sx;
                 const float dy = py[index[i]] - sy;
                 const float square = dx * dx + dy * dy;
-                const bool hides = (height[i] >= kHidingHeight) & (square < 1e12F);
+                const bool hides = (height[i] >= hidingHeight) & (square < 1e12F);
                 // From bearing -pi on: of the opposite direction from 0 on.
                 const float turn = hides ? turns(-dx, -dy, FineArc()) : 0.0F;
                 const int at = static_cast<int>(turn * kProfileSectors);
@@ -64,12 +64,14 @@ RangeProfile rangeProfile(const LadarFrame& frame, const AboveGround& aboveGroun
     std::vector<float>& above = profile.nearestAbove;
     above.assign(kProfileSectors * kProfileLayers, std::numeric_limits<float>::infinity());
     const Eigen::Vector3f sensor = (frame.sensor - frame.origin).cast<float>();
+    const float hidingHeight =
+        frame.planar ? -std::numeric_limits<float>::infinity() : kHidingHeight;
     LocatedBlock block;
     for (std::size_t begin = 0; begin < aboveGround.index.size(); begin += LocatedBlock::kSize)
     {
         const std::size_t size = std::min(LocatedBlock::kSize, aboveGround.index.size() - begin);
         block.locate(frame.points, &aboveGround.index[begin], &aboveGround.height[begin], size,
-                     sensor);
+                     sensor, hidingHeight);
         for (std::size_t i = 0; i < size; ++i)
         {
             float& nearest = above[block.place[i]];
