@@ -152,6 +152,9 @@ TEST(WorldFrame, ImpossibleTimesCountAsTheScans)
     const DeskewedFrame deskewed = toLadarFrame(scan, *ins.at(scan.time), ins);
     EXPECT_FALSE(deskewed.posesCoverScan);
     EXPECT_LT(largestError(deskewed.frame), 1e-3);
+    const LadarFrame plain = toLadarFrame(scan, *ins.at(scan.time));
+    for (const LadarFrame* frame : {&deskewed.frame, &plain})
+        for (std::size_t i = 0; i < 5; ++i) EXPECT_EQ(frame->points.time[i], 0.0F) << i;
 }
 
 TEST(WorldFrame, MergesTheHitsOfTwoScans)

@@ -12,11 +12,6 @@ constexpr float kLongestScan = 1.0F;  // s to either side of the scan's time
 constexpr float kStepsPerSecond = 1e4F;
 constexpr double kPosesPerSecond = 1e3;
 
-bool isPlausible(float time)
-{
-    return std::abs(time) <= kLongestScan;
-}
-
 int floorDivided(int a, int b)
 {
     return a >= 0 ? a / b : -((b - 1 - a) / b);
@@ -58,6 +53,11 @@ VehicleInFrame vehicleInFrame(const VehiclePose& pose, const Eigen::Vector3d& or
 {
     return {pose.attitude.toRotationMatrix().cast<float>(),
             (onGrid(pose.position) - origin).cast<float>()};
+}
+
+bool ScanPath::isPlausible(float time)
+{
+    return std::abs(time) <= kLongestScan;
 }
 
 int ScanPath::stepOf(float time)

@@ -32,7 +32,11 @@ public:
     ScanPath(const std::vector<float>& times, const VehiclePose& pose, const InsTrajectory& ins,
              const Eigen::Vector3d& origin);
 
-    /// The step nearest to a time. Times beyond a second count as the scan's time.
+    /// Whether a hit's time, relative to the scan's (s), is that of one scan: within a second of
+    /// it.
+    static bool isPlausible(float time);
+
+    /// The step nearest to a time. Others count as the scan's time.
     static int stepOf(float time);
     const VehicleInFrame& at(int step) const { return steps_[index(step)]; }
     /// Whether the INS gave all poses; else the nearest one on the scan's side stands in.

@@ -18,6 +18,8 @@ LadarFrame emptyFrame(const Scan& scan, const VehiclePose& pose)
     frame.planar = scan.planar;
     frame.points.intensity = scan.points.intensity;
     frame.points.time = scan.points.time;
+    for (float& time : frame.points.time)
+        if (!ScanPath::isPlausible(time)) time = 0.0F;
     for (auto* values : {&frame.points.x, &frame.points.y, &frame.points.z})
         values->resize(scan.points.size());
     return frame;

@@ -73,6 +73,18 @@ TEST(AssumedSize, TrucksGoOnOutOfSightAsFarAsThoseDoThatAreLonger)
     EXPECT_FALSE(lengthOfMoreThan(8.0, 1.5)) << "two cars";
 }
 
+TEST(AssumedSize, TrucksBeyondAllLengthsAreNoLessCertain)
+{
+    double before = lengthOfMoreThan(17.0, 3.0)->sigma;
+    for (double seen = 17.1; seen < 30.0; seen += 0.1)
+    {
+        const AssumedSize size = *lengthOfMoreThan(seen, 3.0);
+        EXPECT_LE(size.sigma, 1.02 * before) << seen;
+        EXPECT_GE(size.metres, seen) << seen;
+        before = size.sigma;
+    }
+}
+
 TEST(GoingOnOutOfSight, TheEndSeenStaysAndTheOtherOneGoesOn)
 {
     Measurement m = measured({16.0, 5.0, 0.0, 8.0, 2.5}, faces({Face::Right}));

@@ -51,5 +51,18 @@ TEST(FieldOfView, WhatIsOutsideOfItIsHidden)
     EXPECT_EQ(profile.at(1.02), 0.0);
     EXPECT_EQ(profile.at(-2.0), 0.0);
 }
+
+TEST(FieldOfView, HitsBeyondAllRangesTellNothing)
+{
+    LadarFrame frame;
+    for (const float far : {3e38F, -3e38F})
+    {
+        frame.points.x.push_back(far);
+        frame.points.y.push_back(far);
+        frame.points.z.push_back(0.0F);
+    }
+    const FieldOfView view(frame);
+    for (double bearing = -kPi; bearing < kPi; bearing += 0.1) EXPECT_FALSE(view.has(bearing));
+}
 }  // namespace
 }  // namespace vdamf

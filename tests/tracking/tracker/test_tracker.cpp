@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <set>
+#include <stdexcept>
 
 #include "tracking/tracker/example_frames.h"
 
@@ -177,6 +179,47 @@ TEST(Tracker, RefusesTimeThatGoesBackAndBadOptions)
     bad.measurement.sigma = 99.0;
     EXPECT_EQ(bad.problems().size(), 2U);
     EXPECT_THROW(Tracker{bad}, std::invalid_argument);
+}
+
+TEST(Tracker, RefusesPointsThatCannotBeMeant)
+{
+    Tracker tracker{TrackerOptions{}};
+    LadarFrame frame = exampleFrame(0.0, {0.0, 0.0}, {{{15.0, 4.0, 0.0, 4.4, 1.8}}}, 1U, 0.1);
+    const LadarFrame good = frame;
+    for (float& time : frame.points.time) time *= 1e6F;
+    EXPECT_THROW(tracker.process(frame), std::invalid_argument) << "microseconds";
+    frame = good;
+    frame.points.time.back() = std::nanf("");
+    EXPECT_THROW(tracker.process(frame), std::invalid_argument);
+    frame = good;
+    frame.points.z.pop_back();
+    EXPECT_THROW(tracker.process(frame), std::invalid_argument);
+    frame = good;
+    frame.points.time.pop_back();
+    EXPECT_THROW(tracker.process(frame), std::invalid_argument);
+    EXPECT_EQ(tracker.process(good).points, good.points.size()) << "nothing was changed";
+}
+
+TEST(Tracker, BeginsAnewAfterAnObserverThrew)
+{
+    Tracker tracker{optionsForBoxes()};
+    const OrientedBox car{15.0, 4.0, 0.0, 4.4, 1.8};
+    const auto frameAt = [&](int k) {
+        return exampleFrame(0.1 * k, {0.0, 0.0}, {{car}}, unsigned(k));
+    };
+    for (int k = 0; k < 6; ++k) tracker.process(frameAt(k));
+    tracker.onStage(
+        [](const Stage* stage)
+        {
+            if (stage != nullptr && *stage == Stage::Update) throw std::runtime_error("observer");
+        });
+    EXPECT_THROW(tracker.process(frameAt(6)), std::runtime_error);
+    tracker.onStage({});
+    FrameResult last;
+    for (int k = 7; k < 13; ++k) last = tracker.process(frameAt(k));
+    const TrackReport* track = confirmedNear(last, car.centre());
+    ASSERT_NE(track, nullptr);
+    EXPECT_GT(track->id, 1U) << "identities are not given twice";
 }
 
 TEST(Tracker, AfterAGapNothingIsKnownAgain)

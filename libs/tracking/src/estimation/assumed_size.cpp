@@ -85,8 +85,8 @@ std::optional<AssumedSize> lengthOfMoreThan(double seen, double height)
     const double least = (seen - kTrucks.metres) / kTrucks.sigma;
     const double share = 0.5 * std::erfc(least / std::sqrt(2.0));
     const double density = std::exp(-0.5 * least * least) / std::sqrt(2.0 * kPi);
-    // Beyond five sigmas the mean is close to what is seen.
-    const double mean = share > 1e-6 ? density / share : least;
+    // Beyond five sigmas by its series.
+    const double mean = share > 1e-6 ? density / share : least + 1.0 / least;
     const double variance = std::max(0.01, 1.0 + mean * (least - mean));
     return AssumedSize{kTrucks.metres + mean * kTrucks.sigma, std::sqrt(variance) * kTrucks.sigma};
 }

@@ -104,7 +104,8 @@ public:
     {
         const MotionModel& usual = modelFor(state.steering);
         const VariableAxisModel calmer(optionsOf(state.steering, options_, calm));
-        const MotionModel& model = calm < 1.0 ? calmer : usual;
+        const bool isCalmer = calm < 1.0 && state.steering != Steering::Independent;
+        const MotionModel& model = isCalmer ? calmer : usual;
         VehicleState next = transitioned(model, state, dt);
         next.mean = model.bounded(next.mean);
         const StateMatrix p = next.covariance;

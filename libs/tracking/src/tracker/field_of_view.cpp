@@ -13,6 +13,7 @@ namespace vdamf
 namespace
 {
 constexpr std::size_t kLeastGap = 4;  // sectors that the sensor does not look at
+constexpr float kFarthest = 1e6F;     // m
 
 // By the share of a turn from bearing -pi on.
 std::size_t sectorOf(double turn, std::size_t sectors)
@@ -33,7 +34,7 @@ FieldOfView::FieldOfView(const LadarFrame& frame)
         const float x = points.x[i] - sensor.x();
         const float y = points.y[i] - sensor.y();
         // From bearing -pi on: of the opposite direction from 0 on.
-        if (!std::isfinite(x) || !std::isfinite(y)) continue;
+        if (!(x * x + y * y < kFarthest * kFarthest)) continue;  // nor what is no number
         const float turn = turns(-x, -y, FineArc());
         const std::size_t sector = sectorOf(turn, kSectors);
         seen_.set(sector);

@@ -2,13 +2,12 @@
 #include "vdamf/tracking/tracker/tracker.h"
 
 #include <algorithm>
-#include <cmath>
-#include <stdexcept>
 #include <utility>
 
 #include "association/loose_hits.h"
 #include "tracker/alignment.h"
 #include "tracker/attention.h"
+#include "tracker/bad_input.h"
 #include "tracker/discriminate.h"
 #include "tracker/duplicates.h"
 #include "tracker/existence.h"
@@ -28,17 +27,6 @@
 
 namespace vdamf
 {
-namespace
-{
-void refuseBad(const LadarFrame& frame, const std::optional<double>& before)
-{
-    if (!std::isfinite(frame.time) || (before && frame.time <= *before))
-        throw std::invalid_argument("frames must come in order of time");
-    if (!frame.origin.allFinite() || !frame.sensor.allFinite())
-        throw std::invalid_argument("origin and sensor of a frame must be finite");
-}
-}  // namespace
-
 class Tracker::Impl
 {
 public:
@@ -56,6 +44,22 @@ public:
     FrameResult process(const LadarFrame& frame)
     {
         refuseBad(frame, time_);
+        try
+        {
+            return tracked(frame);
+        }
+        catch (...)
+        {
+            tracks_.clear();  // any of them may be half of what it was
+            throw;
+        }
+    }
+
+    std::function<void(const Stage*)> observer_;
+
+private:
+    FrameResult tracked(const LadarFrame& frame)
+    {
         const FieldOfView view(frame);
         enter(Stage::Ground);
         const AboveGround above = removeGround(frame, options_.ground);
@@ -65,8 +69,8 @@ public:
         std::vector<TrackReport> lost = lostOverGap(frame.time);
         predictTracks(frame);
         enter(Stage::Association);
-        const std::vector<PredictedTarget> predicted = predictedTargets(tracks_, discriminator_);
-        const Neighbourhood around(tracks_, discriminator_);
+        std::vector<PredictedTarget> predicted = predictedTargets(tracks_, discriminator_);
+        Neighbourhood around(tracks_, discriminator_);
         segmented = withVehiclesCutOut(std::move(segmented), predicted, tracks_, around,
                                        discriminator_, options_);
         segmented = withHits(std::move(segmented), options_.measurement, workers_);
@@ -77,7 +81,11 @@ public:
         enter(Stage::Measurement);
         auto sightings = measureTracks(segmented, assignment);
         enter(Stage::Update);
-        followPlatform(sightings);
+        if (followPlatform(sightings))
+        {
+            predicted = predictedTargets(tracks_, discriminator_);
+            around = Neighbourhood(tracks_, discriminator_);
+        }
         updateTracks(segmented, view, assignment, std::move(sightings), predicted, around);
         enter(Stage::NewTracks);
         assignment = startTracks(segmented, std::move(assignment));
@@ -92,9 +100,6 @@ public:
         return result;
     }
 
-    std::function<void(const Stage*)> observer_;
-
-private:
     void enter(Stage stage) const
     {
         if (observer_) observer_(&stage);
@@ -154,11 +159,11 @@ private:
     }
 
     // Where the platform's pose errs, tracks go with it, and are told where they were; what is not
-    // known of its error is in all that is measured.
-    void followPlatform(std::vector<std::optional<Sighting>>& sightings)
+    // known of its error is in all that is measured. Whether it errs.
+    bool followPlatform(std::vector<std::optional<Sighting>>& sightings)
     {
         const auto platform = alignment_.motionOf(tracks_, sightings, options_.visibility);
-        if (!platform) return;
+        if (!platform) return false;
         for (Track& track : tracks_) track = movedBy(std::move(track), platform->motion);
         outOfSight_.moveBy(platform->motion);
         for (std::optional<Sighting>& sighting : sightings)
@@ -168,6 +173,7 @@ private:
             const Eigen::Matrix3d j = byMotion(m.box.centre());
             m.covariance.topLeftCorner<3, 3>() += j * platform->covariance * j.transpose();
         }
+        return true;
     }
 
     void updateTracks(const SegmentedFrame& frame, const FieldOfView& field,
@@ -274,13 +280,7 @@ private:
 
 Tracker::Tracker(const TrackerOptions& options)
 {
-    const std::vector<std::string> problems = options.problems();
-    if (!problems.empty())
-    {
-        std::string text = "bad tracker options:";
-        for (const std::string& p : problems) text += "\n  " + p;
-        throw std::invalid_argument(text);
-    }
+    refuseBad(options);
     impl_ = std::make_unique<Impl>(options);
 }
 Tracker::~Tracker() = default;

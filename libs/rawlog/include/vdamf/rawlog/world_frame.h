@@ -23,7 +23,8 @@ struct DeskewedFrame
 
 /// As above, but each hit is placed by the pose of the vehicle at its own time (within 0.05 ms),
 /// so that standing things are where they are however fast the vehicle drives and turns. What
-/// moves by itself is where it was at that time, which `frame.points.time` keeps. `frame.time` and
+/// moves by itself is where it was at that time, which `frame.points.time` keeps (of both kinds of
+/// frames; times more than a second from the scan's count as the scan's). `frame.time` and
 /// `frame.sensor` stay those of the scan's time. Scans without times come out as above.
 DeskewedFrame toLadarFrame(const Scan& scan, const VehiclePose& pose, const InsTrajectory& ins);
 
