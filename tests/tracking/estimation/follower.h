@@ -30,13 +30,21 @@ public:
 
     MotionHypotheses later() { return predicted(hypotheses, interval_, filter_, options_); }
 
+    void wait(double time) { hypotheses = predicted(hypotheses, time, filter_, options_); }
+
     void see(double x)
+    {
+        wait(interval_);
+        seeNow(x);
+    }
+
+    void seeNow(double x)
     {
         BoxMeasurement m;
         const auto noise = [&](double sigma) { return noise_ * sigma * gauss_(generator_); };
         m.box << x + noise(0.06), noise(0.03), noise(0.01), 4.5 + noise(0.1), 1.8;
         m.covariance.diagonal() << 0.0036, 0.0009, 1e-4, 0.01, 0.01;
-        hypotheses = updated(later(), m, JitterShares(), filter_, 11.34);
+        hypotheses = updated(hypotheses, m, JitterShares(), filter_, 11.34);
     }
 
     VehicleState state() const { return hypotheses.combined(options_); }

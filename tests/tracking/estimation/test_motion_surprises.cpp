@@ -97,6 +97,25 @@ TEST(MotionSurprises, WhatStandsGainsSpeedByTheTimeThatPasses)
     EXPECT_LT(gainOf(0.2), 2.01);
 }
 
+// Whether the time without a measurement is one step or ten.
+TEST(MotionSurprises, WhatSetOffOutOfSightIsFollowed)
+{
+    const auto errorAfter = [](int steps)
+    {
+        constexpr double kUnseen = 1.0;  // s
+        constexpr double kFast = 2.5;    // m/s, at its end
+        Follower follower(0.05);
+        for (int k = 0; k < 60; ++k) follower.see(0.0);
+        for (int k = 0; k < steps; ++k) follower.wait(kUnseen / steps);
+        double x = 0.5 * kFast * kUnseen;
+        follower.seeNow(x);
+        follower.see(x += 0.1 * kFast);
+        return std::abs(follower.state().mean(kX) - x);
+    };
+    EXPECT_LT(errorAfter(1), 0.5);
+    EXPECT_LT(errorAfter(10), 0.5);
+}
+
 // Two measurements at one time, as of two parts.
 TEST(MotionSurprises, WhatNoTimePassedForIsTakenAsItIs)
 {

@@ -118,6 +118,22 @@ TEST(PlatformErrors, AreToldOnceTheyHaveShown)
     EXPECT_NEAR(std::sqrt(errors.variances()(2)), 0.003, 0.0015);
 }
 
+TEST(PlatformErrors, AreForgottenWhileNothingTellsOfThem)
+{
+    std::mt19937 random(9);
+    std::normal_distribution<double> gauss;
+    PlatformErrors errors{AlignmentOptions()};
+    const auto jitter = [&] {
+        return PlaneMotion{0.0, 0.1 * Eigen::Vector2d(gauss(random), gauss(random))};
+    };
+    for (int frame = 0; frame < 10; ++frame)
+        errors.after(seenAfterMotion(jitter(), random), kFrameTime);
+    ASSERT_TRUE(errors.after({}, kFrameTime)) << "one frame without anything";
+    for (int frame = 0; frame < 200; ++frame) errors.after({}, kFrameTime);
+    EXPECT_FALSE(errors.after({}, kFrameTime));
+    EXPECT_LT(errors.variances()(0), 0.02 * 0.02);
+}
+
 TEST(PlatformErrors, OfTheHeadingAloneAreToldToo)
 {
     std::mt19937 random(8);

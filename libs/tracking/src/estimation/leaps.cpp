@@ -37,8 +37,8 @@ std::optional<BoxMeasurement> withoutLeap(const MotionHypotheses& h,
     constexpr double kMostAcceleration = 10.0;  // m/s^2
     constexpr double kAsForetold = 2.0;
     constexpr int kSteps = 8;
-    if (nis < kAsForetold || h.interval <= 0.0 || !isKnownToStand(h)) return std::nullopt;
-    const double mostGain = kMostAcceleration * h.interval;
+    if (nis < kAsForetold || h.sinceMeasured <= 0.0 || !isKnownToStand(h)) return std::nullopt;
+    const double mostGain = kMostAcceleration * h.sinceMeasured;
     const VehicleState& driving = h.driving.front();
     const auto gainBy = [&](const BoxMeasurement& m)
     { return std::abs(filter.update(driving, m).mean(kSpeed) - driving.mean(kSpeed)); };

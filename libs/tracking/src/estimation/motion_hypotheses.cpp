@@ -206,7 +206,7 @@ MotionHypotheses predicted(const MotionHypotheses& h, double dt, VehicleKalmanFi
     MotionHypotheses next = interacting(h, dt, calm + (1.0 - calm) * h.standingProbability);
     for (VehicleState& state : next.driving) state = filter.predict(state, dt, calm);
     next.unrest = h.unrest.later(dt);
-    next.interval = dt;
+    next.sinceMeasured = h.sinceMeasured + dt;
     next.standing = standingLater(h.standing, dt, options);
     const double rest = restProbability(next.driving.front());
     next.standingProbability = rest + stays * (h.standingProbability - rest);
@@ -233,6 +233,7 @@ MotionHypotheses updated(const MotionHypotheses& h, const BoxMeasurement& measur
     const Measured measured{measurement, withJitterAlone(measurement, jitter)};
     Foretold foretold;
     MotionHypotheses next = h;
+    next.sinceMeasured = 0.0;
     const PlacedPoint whole = measuredPoint(measured.whole);
     const PlacedPoint sharpest = measuredPoint(measured.jitter);
     next.forEach(

@@ -58,10 +58,16 @@ EstimatedMotion commonMotion(const std::vector<StandingPoint>& points, const Eig
     return {{motion(2), motion.head<2>()}, covariance};
 }
 
-void PlatformErrors::Spread::add(double square, double variance, double kept)
+void PlatformErrors::Spread::fade(double kept)
 {
-    sum_ = kept * sum_ + square - variance;
-    frames_ = kept * frames_ + 1.0;
+    sum_ *= kept;
+    frames_ *= kept;
+}
+
+void PlatformErrors::Spread::add(double square, double variance)
+{
+    sum_ += square - variance;
+    frames_ += 1.0;
 }
 
 double PlatformErrors::Spread::value() const
@@ -86,15 +92,15 @@ std::optional<EstimatedMotion> PlatformErrors::after(const std::vector<StandingP
     constexpr double kKnownShift = 0.06 * 0.06;   // m^2
     constexpr double kKnownTurn = 0.006 * 0.006;  // rad^2
     constexpr std::ptrdiff_t kLeastPoints = 2;    // a single one may have set off
+    for (Spread* spread : {&shift_, &turn_}) spread->fade(std::exp(-dt / kMemory));
     const EstimatedMotion alone = commonMotion(points, Eigen::Vector3d::Constant(kVague));
     const double ofShift = shiftVariance(alone.covariance);
     const double ofTurn = alone.covariance(2, 2);
     const auto telling = std::count_if(points.begin(), points.end(), tells);
     if (telling >= kLeastPoints && ofShift < kKnownShift && ofTurn < kKnownTurn)
     {
-        const double kept = std::exp(-dt / kMemory);
-        shift_.add(0.5 * alone.motion.shift.squaredNorm(), ofShift, kept);
-        turn_.add(std::pow(alone.motion.turn, 2), ofTurn, kept);
+        shift_.add(0.5 * alone.motion.shift.squaredNorm(), ofShift);
+        turn_.add(std::pow(alone.motion.turn, 2), ofTurn);
     }
     const bool errs = shift_.value() > std::pow(options_.from, 2) ||
                       turn_.value() > std::pow(options_.fromTurn, 2);

@@ -42,6 +42,7 @@ Track glancedTrack(Track track, const SegmentedFrame& frame,
                    const std::vector<std::size_t>& clusters, const LifecycleOptions& options)
 {
     track.hypotheses->standingProbability = track.stoodProbability;
+    track.hypotheses->sinceMeasured = 0.0;
     double weight = 0.0;
     for (const std::size_t k : clusters) weight += frame.hits[k].totalWeight;
     track.hits = static_cast<int>(std::lround(weight));

@@ -29,8 +29,8 @@ struct MotionHypotheses
     double standingProbability = 0.5;
     VehicleState free;             ///< Steering::Independent
     double freeProbability = 0.0;  ///< among those that move; 0: not tracked
-    bool surprised = false;        ///< none foretold the last measurement
-    double interval = 0.0;         ///< over which it was predicted last, s
+    bool surprised = false;        ///< the last measurement lay outside the gate of the first
+    double sinceMeasured = 0.0;    ///< or looked at, s
 
     /// Mean and covariance of the mixture, as a state of the variable axis.
     VehicleState combined(const MotionOptions& options) const;

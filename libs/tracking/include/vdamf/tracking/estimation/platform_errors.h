@@ -76,7 +76,8 @@ private:
     class Spread
     {
     public:
-        void add(double square, double variance, double kept);
+        void fade(double kept);
+        void add(double square, double variance);
         double value() const;
 
     private:
