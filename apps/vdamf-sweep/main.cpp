@@ -10,6 +10,7 @@
 
 #include "folder_lock.h"
 #include "outputs.h"
+#include "own_folder.h"
 #include "program.h"
 #include "progress.h"
 #include "vdamf/experiments/digest.h"
@@ -75,14 +76,6 @@ vdamf::SweepProgress::Style styleOf(const CommandLine& line)
     return vdamf::isTerminal() ? Style::Bar : Style::Lines;
 }
 
-// Only below a folder that a sweep has made its own.
-void forgetRuns(const fs::path& folder)
-{
-    if (!fs::exists(folder / vdamf::kSweepCopy)) return;
-    fs::remove_all(folder / "runs");
-    fs::remove_all(folder / "tasks");
-}
-
 int dryRun(const CommandLine& line, const vdamf::PreparedSweep& sweep,
            const vdamf::SweepProgram& program)
 {
@@ -117,7 +110,8 @@ int sweepAll(const CommandLine& line, const vdamf::PreparedSweep& sweep,
     const std::atomic<bool>& interrupted = vdamf::catchSignals();
     vdamf::makeFolder(line.folder);
     const vdamf::FolderLock lock(line.folder);
-    if (!line.resume) forgetRuns(line.folder);
+    vdamf::claimFolder(line.folder);
+    if (!line.resume) vdamf::forgetRuns(line.folder);
     vdamf::writeSweepCopy(sweep, line.folder);
     vdamf::SweepProgress progress(sweep, styleOf(line));
     vdamf::SweepListener listener;
@@ -143,6 +137,7 @@ std::optional<vdamf::PreparedSweep> prepared(CommandLine& line)
     if (line.folder.empty()) line.folder = fs::path("results") / line.config.stem();
     vdamf::PreparedSweep sweep = vdamf::prepareSweep(line.config);
     vdamf::checkOutputs(sweep, line.folder);
+    vdamf::checkFolder(line.folder);
     return sweep;
 }
 

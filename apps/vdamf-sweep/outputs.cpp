@@ -29,6 +29,11 @@ std::string inWords(std::optional<double> value)
 }
 }  // namespace
 
+std::vector<std::string> outputNames()
+{
+    return {kSweepCopy, kTable, kTimes, kPage, kBest};
+}
+
 void checkOutputs(const PreparedSweep& sweep, const fs::path& folder)
 {
     std::vector<NamedInput> inputs = filesOfSweep(sweep.file, sweep.base);
@@ -41,8 +46,7 @@ void checkOutputs(const PreparedSweep& sweep, const fs::path& folder)
         inputs.push_back({recording.truth, "a truth"});
     }
     std::vector<fs::path> outputs;
-    for (const char* name : {kSweepCopy, kTable, kTimes, kPage, kBest})
-        outputs.push_back(folder / name);
+    for (const std::string& name : outputNames()) outputs.push_back(folder / name);
     checkOutputPaths(outputs, inputs);
 }
 

@@ -4,6 +4,8 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "vdamf/experiments/results.h"
 #include "vdamf/experiments/sweep.h"
@@ -11,6 +13,9 @@
 namespace vdamf
 {
 constexpr const char* kSweepCopy = "sweep.ini";
+
+/// What writeSweepCopy() and writeOutputs() write.
+std::vector<std::string> outputNames();
 
 /// Throws std::runtime_error where an output would replace the sweep's file, its configuration, a
 /// model or filters that these name, a recording or a truth.
