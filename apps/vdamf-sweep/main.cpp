@@ -138,6 +138,7 @@ std::optional<vdamf::PreparedSweep> prepared(CommandLine& line)
     vdamf::PreparedSweep sweep = vdamf::prepareSweep(line.config);
     vdamf::checkOutputs(sweep, line.folder);
     vdamf::checkFolder(line.folder);
+    vdamf::checkRemoved(line.folder, !line.resume, vdamf::inputsOf(sweep));
     return sweep;
 }
 

@@ -34,7 +34,7 @@ std::vector<std::string> outputNames()
     return {kSweepCopy, kTable, kTimes, kPage, kBest};
 }
 
-void checkOutputs(const PreparedSweep& sweep, const fs::path& folder)
+std::vector<NamedInput> inputsOf(const PreparedSweep& sweep)
 {
     std::vector<NamedInput> inputs = filesOfSweep(sweep.file, sweep.base);
     inputs.push_back({sweep.file.path, "the sweep's file"});
@@ -45,9 +45,14 @@ void checkOutputs(const PreparedSweep& sweep, const fs::path& folder)
         inputs.push_back({recording.rawlog, "a recording"});
         inputs.push_back({recording.truth, "a truth"});
     }
+    return inputs;
+}
+
+void checkOutputs(const PreparedSweep& sweep, const fs::path& folder)
+{
     std::vector<fs::path> outputs;
     for (const std::string& name : outputNames()) outputs.push_back(folder / name);
-    checkOutputPaths(outputs, inputs);
+    checkOutputPaths(outputs, inputsOf(sweep));
 }
 
 void writeSweepCopy(const PreparedSweep& sweep, const fs::path& folder)

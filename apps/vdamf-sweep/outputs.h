@@ -9,6 +9,7 @@
 
 #include "vdamf/experiments/results.h"
 #include "vdamf/experiments/sweep.h"
+#include "vdamf/files/output_file.h"
 
 namespace vdamf
 {
@@ -17,8 +18,11 @@ constexpr const char* kSweepCopy = "sweep.ini";
 /// What writeSweepCopy() and writeOutputs() write.
 std::vector<std::string> outputNames();
 
-/// Throws std::runtime_error where an output would replace the sweep's file, its configuration, a
-/// model or filters that these name, a recording or a truth.
+/// The sweep's file, its configuration, the models and filters that these name, the recordings and
+/// their truth.
+std::vector<NamedInput> inputsOf(const PreparedSweep& sweep);
+
+/// Throws std::runtime_error where an output would replace an input.
 void checkOutputs(const PreparedSweep& sweep, const std::filesystem::path& folder);
 
 /// The sweep's file as it was at the start.

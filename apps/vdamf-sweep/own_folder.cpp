@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "own_folder.h"
 
+#include <algorithm>
 #include <fstream>
 #include <stdexcept>
 #include <string>
@@ -32,6 +33,20 @@ bool isRunName(const std::string& name)
     constexpr std::size_t kDigits = 32;
     return name.size() == kDigits &&
            name.find_first_not_of("0123456789abcdef") == std::string::npos;
+}
+
+// By its name or, where that is a link, by the file that it leads to.
+bool liesIn(const fs::path& folder, const fs::path& file)
+{
+    const fs::path place = fs::weakly_canonical(fs::absolute(folder));
+    const fs::path name = fs::absolute(file).lexically_normal();
+    for (const fs::path& path :
+         {fs::weakly_canonical(name.parent_path()), fs::weakly_canonical(name).parent_path()})
+    {
+        const auto common = std::mismatch(place.begin(), place.end(), path.begin(), path.end());
+        if (common.first == place.end()) return true;
+    }
+    return false;
 }
 
 void removeRunsOf(const fs::path& folder)
@@ -69,6 +84,20 @@ void claimFolder(const fs::path& folder)
     if (isOwnFolder(folder)) return;
     checkFolder(folder);
     writeTextFile(folder / kFolderMark, std::string(kFirstLine) + kMarkText);
+}
+
+void checkRemoved(const fs::path& folder, bool forgets, const std::vector<NamedInput>& inputs)
+{
+    for (const NamedInput& input : inputs)
+    {
+        if (input.path.empty()) continue;
+        const bool isRemoved = liesIn(folder / "tasks", input.path) ||
+                               (forgets && liesIn(folder / "runs", input.path));
+        if (isRemoved)
+            throw std::runtime_error(input.path.string() + ": is " + input.name +
+                                     ", and would be removed; copy it to another folder than " +
+                                     folder.string());
+    }
 }
 
 void forgetRuns(const fs::path& folder)

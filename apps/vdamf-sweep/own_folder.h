@@ -3,6 +3,9 @@
 #pragma once
 
 #include <filesystem>
+#include <vector>
+
+#include "vdamf/files/output_file.h"
 
 namespace vdamf
 {
@@ -18,6 +21,11 @@ void checkFolder(const std::filesystem::path& folder);
 
 /// Makes a folder that is there, and passes checkFolder(), a sweep's own.
 void claimFolder(const std::filesystem::path& folder);
+
+/// Throws std::runtime_error where an input lies in what a sweep removes in its own folder: the
+/// tasks that it does, and the runs where it is to forget them.
+void checkRemoved(const std::filesystem::path& folder, bool forgets,
+                  const std::vector<NamedInput>& inputs);
 
 /// Removes the runs and tasks of a sweep's own folder, by their names: other files stay.
 void forgetRuns(const std::filesystem::path& folder);

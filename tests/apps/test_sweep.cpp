@@ -206,60 +206,6 @@ TEST_F(SweepProgram, BadUse)
     }
 }
 
-TEST_F(SweepProgram, WritesOverNothingThatItReads)
-{
-    fs::create_directory(at("out"));
-    fs::copy(VDAMF_SOURCE_DIR "/models/vehicle.txt", at("out/best.ini"));
-    const std::string model = contentOf("out/best.ini");
-    make("conf.ini", "[discriminator]\nmodel = out/best.ini\n");
-    const auto expectRefusal = [&]
-    {
-        const Outcome refused = sweep("out");
-        EXPECT_EQ(refused.exitCode, 2);
-        EXPECT_THAT(refused.output, HasSubstr("best.ini: is discriminator.model"));
-        EXPECT_EQ(contentOf("out/best.ini"), model);
-    };
-    writeSweep("config = conf.ini", "measurement.sigma_m = 0.1, 0.2");
-    expectRefusal();
-    writeSweep("", "discriminator.model = none, out/best.ini");
-    expectRefusal();
-    writeSweep("", "measurement.sigma_m = 0.1, 0.2", "set = discriminator.model=out/best.ini\n");
-    expectRefusal();
-}
-
-TEST_F(SweepProgram, WhatIsNotOfASweepStays)
-{
-    writeSweep("", "measurement.sigma_m = 0.1, 0.2");
-    for (const char* name :
-         {"sweep.ini", "table.csv", "times.csv", "report.html", "best.ini", "runs/notes.txt"})
-    {
-        fs::remove_all(at("own"));
-        make(std::string("own/") + name, "mine");
-        for (const char* how : {"", "--no-resume", "--dry-run"})
-        {
-            const Outcome refused = sweep("own", how);
-            EXPECT_EQ(refused.exitCode, 2) << name << how;
-            EXPECT_THAT(refused.output, HasSubstr("is there already, and not of a sweep"));
-            EXPECT_THAT(refused.output, HasSubstr(at("own").string()));
-            EXPECT_EQ(contentOf(std::string("own/") + name), "mine");
-            EXPECT_EQ(std::distance(fs::directory_iterator(at("own")), {}), 1) << name << how;
-        }
-    }
-}
-
-TEST_F(SweepProgram, ForgetsRunsAndNothingElse)
-{
-    writeSweep("", "measurement.sigma_m = 0.1");
-    make("out/notes.txt", "mine");
-    ASSERT_EQ(sweep("out").exitCode, 0);
-    make("out/runs/notes.txt", "mine");
-    const Outcome again = sweep("out", "--no-resume");
-    EXPECT_EQ(again.exitCode, 0);
-    EXPECT_THAT(again.output, Not(HasSubstr("done before")));
-    EXPECT_EQ(contentOf("out/notes.txt"), "mine");
-    EXPECT_EQ(contentOf("out/runs/notes.txt"), "mine");
-}
-
 TEST_F(SweepProgram, TheExamplePasses)
 {
     const Outcome plan =
