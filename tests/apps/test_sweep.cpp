@@ -9,6 +9,7 @@ namespace vdamf
 namespace
 {
 using ::testing::AllOf;
+using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
 using ::testing::Not;
 namespace fs = std::filesystem;
@@ -150,6 +151,23 @@ TEST_F(SweepProgram, ARangeBehindTheEndIsToldByItsKey)
                 AllOf(HasSubstr("setting 1 failed: first_frame = 500: "),
                       HasSubstr("late.rawlog: no frame in the range asked for: it begins at "
                                 "frame 500, the rawlog has the frames 0 to 119")));
+}
+
+TEST_F(SweepProgram, FramesOutOfTheRangeAreNotScored)
+{
+    writeSweep("goal = max scored.frames", "measurement.sigma_m = 0.1");
+    ASSERT_EQ(sweep("middle").exitCode, 0);
+    // Rows end with position's median and the frames that were scored.
+    EXPECT_THAT(contentOf("middle/table.csv"), ContainsRegex(",8\n$"));
+    const std::string street = VDAMF_SOURCE_DIR "/datasets/street/";
+    const std::string recording =
+        "rawlogs = " + street + "street.rawlog\ntruth = " + street + "truth.csv\n";
+    make("sweep.ini",
+         "[sweep]\nmetrics = clear_mot.recall, scored.frames\ngoal = max "
+         "clear_mot.recall\n[vary]\nmeasurement.sigma_m = 0.1\n[recordings]\n" +
+             recording + "first_frame = 112\n");
+    ASSERT_EQ(sweep("end").exitCode, 0);
+    EXPECT_THAT(contentOf("end/table.csv"), ContainsRegex(",0\\.[4-9][0-9]*,8\n$"));
 }
 
 TEST_F(SweepProgram, RecordingsWithTheSameContentAreOneRun)

@@ -3,6 +3,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <nlohmann/json.hpp>
@@ -12,6 +13,7 @@
 #include "vdamf/evaluation/evaluation_json.h"
 #include "vdamf/experiments/digest.h"
 #include "vdamf/files/folder.h"
+#include "vdamf/files/numbers.h"
 #include "vdamf/files/text_file.h"
 
 namespace vdamf
@@ -53,10 +55,29 @@ TrackRawlogSummary track(const RunTask& task, const fs::path& taskFolder, const 
     return summary;
 }
 
-void score(const RunTask& task, const fs::path& folder)
+// The truth of the range asked for: what lies before or behind it was not to be found.
+std::vector<TruthRow> truthInRange(const RunTask& task, const TrackRawlogSummary& summary)
 {
-    const Evaluation evaluation =
-        evaluate(readTruth(task.truth), readTracks(folder / "tracks.csv"), task.score.options());
+    std::vector<TruthRow> truth = readTruth(task.truth);
+    if (summary.frames == 0) return truth;
+    const double tolerance = task.score.scoring.timeTolerance;
+    const auto isOutside = [&](const TruthRow& row)
+    {
+        return (task.frames.first > 0 && row.time < summary.firstTime - tolerance) ||
+               (task.frames.last > 0 && row.time > summary.lastTime + tolerance);
+    };
+    truth.erase(std::remove_if(truth.begin(), truth.end(), isOutside), truth.end());
+    if (truth.empty())
+        throw std::runtime_error(task.truth + ": has no object in the range that was tracked (" +
+                                 toFixedText(summary.firstTime, 6) + " to " +
+                                 toFixedText(summary.lastTime, 6) + " s)");
+    return truth;
+}
+
+void score(const RunTask& task, const TrackRawlogSummary& summary, const fs::path& folder)
+{
+    const Evaluation evaluation = evaluate(truthInRange(task, summary),
+                                           readTracks(folder / "tracks.csv"), task.score.options());
     writeTextFile(folder / "metrics.json", toJson(evaluation));
 }
 
@@ -94,7 +115,7 @@ void runTask(const fs::path& folder, const TaskReport& tell)
     fs::remove_all(work);
     fs::create_directory(work);
     const TrackRawlogSummary summary = track(task, folder, work);
-    score(task, work);
+    score(task, summary, work);
     writeTextFile(work / "config.ini", task.configuration);
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
     writeTextFile(work / "times.json", timesJson(summary, passed.count()));

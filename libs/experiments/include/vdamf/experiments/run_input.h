@@ -44,7 +44,7 @@ struct RunScoring
     }
 };
 
-/// Frames to track, [first, last), counted from 0.
+/// Frames to track and to score, [first, last), counted from 0.
 struct FrameRange
 {
     int first = 0;
