@@ -194,7 +194,9 @@ void trainClassifier(const ClassifierJob& job, const std::atomic<bool>& stop)
                 countsText(training.counts).c_str(), qualityText(quality).c_str());
     const std::vector<HeldOutFrame> tested = judge(training.model, collection.test);
     if (!tested.empty()) tellTests(job, tested);
-    outputs.write(job.model, toText(training.model));
+    const std::string model = toText(training.model);
+    parseDiscriminatorModel(model, "the trained model");  // numbers that are not finite
+    outputs.write(job.model, model);
     std::fflush(stdout);
     if (!job.heldOut.empty())
     {

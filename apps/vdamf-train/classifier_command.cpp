@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "classifier_command.h"
 
+#include "program.h"
+
 namespace vdamf
 {
 void declareClassifier(CLI::App& command, ClassifierCommandLine& line)
@@ -20,11 +22,13 @@ void declareClassifier(CLI::App& command, ClassifierCommandLine& line)
     command.add_option("--folds", training.folds, "of the cross-validation")
         ->check(CLI::Range(2, 50))
         ->capture_default_str();
-    command.add_option("--seed", training.seed, "of the split into folds")->capture_default_str();
+    command.add_option("--seed", training.seed, "of the split into folds")
+        ->check(CLI::Range(0, 2147483647))
+        ->capture_default_str();
     command
         .add_option("--cost", training.costs,
                     "costs of errors (C) to try; the best by cross-validation is taken")
-        ->check(CLI::Range(1e-6, 1e6))
+        ->check(within(1e-6, 1e6))
         ->expected(1, 100)
         ->capture_default_str();
     command
@@ -36,7 +40,7 @@ void declareClassifier(CLI::App& command, ClassifierCommandLine& line)
         .add_option("--vehicle-share", training.vehicleShare,
                     "share of vehicles in the frames of all objects where the model will be used "
                     "(default: that of the recordings)")
-        ->check(CLI::Range(0.001, 0.999));
+        ->check(within(0.001, 0.999));
     command.add_option("--threads", training.threads, "folds that are trained at a time")
         ->check(CLI::Range(1, 64))
         ->capture_default_str();

@@ -143,7 +143,9 @@ void trainFilter(const FilterJob& job, const std::atomic<bool>& stop)
                 toFixedText(training.after, 4).c_str(), toFixedText(training.before, 4).c_str());
     tell("\nCross-validation", training.heldOut, isBank);
     tell("\nTest, not trained on", tested, isBank);
-    outputs.write(job.filters, toText(training.bank));
+    const std::string filters = toText(training.bank);
+    parseFilterBank(filters, "the trained filters");  // numbers that are not finite
+    outputs.write(job.filters, filters);
     if (job.table.empty()) return;
     outputs.write(job.table, heldOutHeader() + heldOutRows("fold", training.heldOut) +
                                  heldOutRows("test", tested));

@@ -24,7 +24,9 @@ void declareFilter(CLI::App& command, FilterCommandLine& line)
     command.add_option("--folds", training.folds, "of the cross-validation by vehicles; 0: none")
         ->check(CLI::Range(0, 50))
         ->capture_default_str();
-    command.add_option("--seed", training.seed, "of the split into folds")->capture_default_str();
+    command.add_option("--seed", training.seed, "of the split into folds")
+        ->check(CLI::Range(0, 2147483647))
+        ->capture_default_str();
     command.add_flag("--overwrite", line.job.overwrite, "replace existing outputs");
     command.add_flag("-q,--quiet", line.job.quiet, "no progress");
 }

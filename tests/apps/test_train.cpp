@@ -86,11 +86,41 @@ TEST_F(Train, CalibratesForTheShareOfVehiclesThatIsAskedFor)
     const std::string command = "classifier list.ini --folds 3 --cost 0.1 -q -o vehicle.txt ";
     ASSERT_EQ(run("vdamf-train", command + "--vehicle-share 0.1"), 0) << output_;
     EXPECT_THAT(readTextFile(at("vehicle.txt")), HasSubstr("vehicle share 0.1\n"));
-    for (const char* share : {"0", "1", "-0.5", "many"})
+    for (const char* share : {"0", "1", "-0.5", "many", "nan", "inf"})
     {
         EXPECT_EQ(run("vdamf-train", command + "--overwrite --vehicle-share " + share), 2);
         EXPECT_THAT(output_, HasSubstr("--vehicle-share"));
     }
+}
+
+TEST_F(Train, RefusesNumbersOutOfTheirRange)
+{
+    makeList();
+    for (const std::string cost : {"nan", "inf", "-1", "0", "1e7", "0.1 nan"})
+    {
+        // The limit ends a training that does not.
+        EXPECT_EQ(runShell("cd '" + at("").string() +
+                           "' && timeout -s KILL 60 '" VDAMF_APPS_DIR
+                           "/vdamf-train' classifier list.ini -q -o m.txt --cost " +
+                           cost)
+                      .exitCode,
+                  2)
+            << cost;
+    }
+    for (const std::string option :
+         {"--cost nan", "--folds nan", "--folds 1", "--frames-per-track nan", "--threads nan",
+          "--threads 65", "--seed nan", "--seed -1"})
+    {
+        EXPECT_EQ(run("vdamf-train", "classifier list.ini -q -o m.txt " + option), 2) << option;
+        EXPECT_THAT(output_, HasSubstr(option.substr(0, option.find(' '))));
+    }
+    for (const std::string option :
+         {"--global nan", "--local -1", "--folds inf", "--folds 51", "--seed inf"})
+    {
+        EXPECT_EQ(run("vdamf-train", "filter list.ini -q -o m.txt " + option), 2) << option;
+        EXPECT_THAT(output_, HasSubstr(option.substr(0, option.find(' '))));
+    }
+    EXPECT_FALSE(fs::exists(at("m.txt")));
 }
 
 TEST_F(Train, WithoutADiscriminatorTracksHaveNoProbability)
