@@ -34,16 +34,13 @@ public:
         command->add_option("--poses", job_.poses, "Of the vehicle, TUM or KITTI format");
         command->add_option("--times", job_.times, "Times of the clouds, one a line");
         command->add_option("--rate", rate_, "Clouds a second, where there are no times")
-            ->check(CLI::Range(0.1, 100.0));
+            ->check(within(0.1, 100.0));
         command->add_option("--point-time", pointTime_, "Unit of the field of the hits' times")
             ->check(CLI::IsMember({"auto", "none", "s", "ms", "us", "ns"}))
             ->capture_default_str();
         command->add_option("--label", job_.label, "sensorLabel of the scans")
             ->capture_default_str();
-        command
-            ->add_option("--sensor-pose", sensorPose_,
-                         "Of the sensor on the vehicle: x y z (m) yaw pitch roll (deg)")
-            ->expected(6);
+        declareSensorPose(*command, sensorPose_);
         declareOutput(*command);
         return command;
     }

@@ -52,6 +52,16 @@ void refuseDash(const std::filesystem::path& output)
             "name)");
 }
 
+void declareSensorPose(CLI::App& command, std::vector<double>& numbers)
+{
+    constexpr double kFarthest = 1000.0;
+    command
+        .add_option("--sensor-pose", numbers,
+                    "Of the sensor on the vehicle: x y z (m) yaw pitch roll (deg)")
+        ->check(within(-kFarthest, kFarthest))
+        ->expected(6);
+}
+
 Eigen::Isometry3d sensorPoseFrom(const std::vector<double>& n)
 {
     Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
@@ -61,8 +71,6 @@ Eigen::Isometry3d sensorPoseFrom(const std::vector<double>& n)
                      Eigen::AngleAxisd(n.at(4) * kDegree, Eigen::Vector3d::UnitY()) *
                      Eigen::AngleAxisd(n.at(5) * kDegree, Eigen::Vector3d::UnitX()))
                         .toRotationMatrix();
-    if (!pose.matrix().allFinite())
-        throw std::invalid_argument("--sensor-pose: expected six finite numbers");
     return pose;
 }
 

@@ -43,7 +43,10 @@ private:
 /// Throws std::invalid_argument for '-', which is no file.
 void refuseDash(const std::filesystem::path& output);
 
-/// "x y z yaw pitch roll", m and deg. Throws std::invalid_argument.
+/// --sensor-pose: six numbers from -1000 to 1000.
+void declareSensorPose(CLI::App& command, std::vector<double>& numbers);
+
+/// "x y z yaw pitch roll", m and deg.
 Eigen::Isometry3d sensorPoseFrom(const std::vector<double>& numbers);
 
 /// True as long as no signal asked to stop; shows the progress on a terminal.

@@ -27,14 +27,11 @@ public:
                             "Calibration of the sensor (xml); needed for an HDL-64E");
         command->add_option("--poses", job_.poses,
                             "Poses of the vehicle, TUM format: time tx ty tz qx qy qz qw");
-        command
-            ->add_option("--sensor-pose", sensorPose_,
-                         "Of the sensor on the vehicle: x y z (m) yaw pitch roll (deg)")
-            ->expected(6);
+        declareSensorPose(*command, sensorPose_);
         command
             ->add_option("--cut-azimuth-deg", job_.cutAzimuth,
                          "Where revolutions begin, clockwise from forward")
-            ->check(CLI::Range(0.0, 360.0))
+            ->check(within(0.0, 360.0))
             ->capture_default_str();
         declareOutput(*command);
         return command;

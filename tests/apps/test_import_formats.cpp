@@ -95,6 +95,22 @@ TEST_F(ImportFormats, ABadCommandLineIsTwo)
           "velodyne-pcap c.pcap -o c.pcap", "clouds", "clouds in -o o --rate 0",
           "clouds in -o o --point-time hours", "clouds in -o p.txt --poses p.txt"})
         EXPECT_EQ(import(bad).exitCode, 2) << bad;
+    for (const std::string bad :
+         {"--cut-azimuth-deg nan", "--cut-azimuth-deg 361", "--sensor-pose 1 2 inf 0 0 0"})
+    {
+        const Outcome run = import("velodyne-pcap c.pcap -o o " + bad);
+        EXPECT_EQ(run.exitCode, 2) << bad;
+        EXPECT_THAT(run.output,
+                    AllOf(HasSubstr(bad.substr(0, bad.find(' '))), HasSubstr(": expected ")));
+    }
+    for (const std::string bad : {"--rate nan", "--rate inf", "--sensor-pose 1e300 2 3 0 0 0",
+                                  "--sensor-pose 0 0 0 0 0 nan"})
+    {
+        const Outcome run = import("clouds in -o o " + bad);
+        EXPECT_EQ(run.exitCode, 2) << bad;
+        EXPECT_THAT(run.output,
+                    AllOf(HasSubstr(bad.substr(0, bad.find(' '))), HasSubstr(": expected ")));
+    }
     for (const char* bad : {"velodyne-pcap /none.pcap -o ", "clouds /none -o "})
     {
         const Outcome run = import(bad + path("o.rawlog"));
