@@ -29,6 +29,8 @@ TEST_F(SweepProgram, LeavesWholeRunsTablesAPageAndTheBestConfiguration)
                 AllOf(HasSubstr("setting,recording,measurement.sigma_m,status,run,hota.hota,"),
                       HasSubstr("\n3,street,0.3,done,")));
     EXPECT_THAT(contentOf("out/report.html"), HasSubstr("</html>"));
+    EXPECT_THAT(contentOf("out/best.ini"),
+                HasSubstr("# Best mean of hota.hota over 1 recording\n"));
     // What is best can be tracked with.
     const Outcome config =
         runApp("vdamf-track", "--print-config -c '" + at("out/best.ini").string() + "'");
@@ -132,6 +134,8 @@ TEST_F(SweepProgram, AFailedRunIsToldWithItsLog)
                 AllOf(HasSubstr("1,street,0.1,done"), HasSubstr("1,broken,0.1,failed")));
     EXPECT_THAT(contentOf("out/report.html"), HasSubstr("broken.rawlog"));
     EXPECT_THAT(outcome.output, HasSubstr("broken has no hota.hota with any setting"));
+    EXPECT_THAT(contentOf("out/best.ini"),
+                HasSubstr("# Best mean of hota.hota over 1 of 2 recordings; the others have none"));
     std::size_t logs = 0;
     for (const fs::directory_entry& task : fs::directory_iterator(at("out/tasks")))
         logs += fs::exists(task.path() / "log.txt") ? 1 : 0;

@@ -67,6 +67,8 @@ TEST(SweptKey, WhatIsWrongIsToldInItsOwnWords)
     EXPECT_THAT(problemOf("1, , 2"), HasSubstr("a value is missing"));
     EXPECT_THAT(problemOf(""), HasSubstr("a value is missing"));
     EXPECT_THAT(problemOf("1, 2, 1"), HasSubstr("'1' stands twice"));
+    EXPECT_THAT(problemOf("0.2, 0.3, 2e-1"), HasSubstr("'0.2' and '2e-1' are the same number"));
+    EXPECT_THAT(problemOf("0, -0"), HasSubstr("'0' and '-0' are the same number"));
     EXPECT_THAT(problemOf("0 : 1e-9 : 1"), HasSubstr("more than 10000 values"));
 }
 

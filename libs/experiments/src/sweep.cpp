@@ -133,6 +133,17 @@ void search(const PreparedSweep& sweep, Runner& runner, const std::atomic<bool>&
         return;  // the caller knows
     }
 }
+
+// Those that no setting knows the goal's metric of are in no mean.
+std::string recordingsInWords(const SweepResults& results)
+{
+    const std::size_t all = results.recordings.size();
+    const std::size_t silent = silentRecordings(results).size();
+    const std::string counted = std::to_string(all) + (all == 1 ? " recording" : " recordings");
+    if (silent == 0) return counted;
+    return std::to_string(all - silent) + " of " + counted +
+           "; the others have none with any setting";
+}
 }  // namespace
 
 std::vector<PlannedRun> plannedRuns(const PreparedSweep& sweep,
@@ -185,9 +196,8 @@ std::string settingIni(const PreparedSweep& sweep, const SweepResults& results, 
     RecordingGroup all;
     return "# Setting " + std::to_string(setting + 1) + " of " +
            sweep.file.path.filename().string() + ": " + inWords(sweep.file, chosen) +
-           "\n# Best mean of " + results.goal.metric + " over " +
-           std::to_string(results.recordings.size()) + " recordings\n\n" +
-           configurationOf(sweep.file, sweep.base, all, chosen);
+           "\n# Best mean of " + results.goal.metric + " over " + recordingsInWords(results) +
+           "\n\n" + configurationOf(sweep.file, sweep.base, all, chosen);
 }
 
 }  // namespace vdamf

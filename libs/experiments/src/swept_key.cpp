@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <map>
 #include <stdexcept>
 
 #include "split.h"
@@ -99,14 +100,26 @@ void readRange(std::string_view text, SweptKey& key)
         key.values = steps(text, numbers[0], numbers[1], numbers[2]);
 }
 
+// What tells a value from others: numbers are what they say, 0.2 and 2e-1 the same.
+std::string meaningOf(const std::string& value)
+{
+    const std::optional<double> number = parseNumber(value);
+    return number ? toText(*number + 0.0) : value;  // no negative zero
+}
+
 void readList(std::string_view text, SweptKey& key)
 {
     key.values = split(text, ',');
-    std::vector<std::string> sorted = key.values;
-    std::sort(sorted.begin(), sorted.end());
-    if (sorted.front().empty()) fail(text, "a value is missing");
-    const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
-    if (twice != sorted.end()) fail(text, "the value " + inQuotes(*twice) + " stands twice");
+    std::map<std::string, std::string> known;
+    for (const std::string& value : key.values)
+    {
+        if (value.empty()) fail(text, "a value is missing");
+        const auto [same, isNew] = known.try_emplace(meaningOf(value), value);
+        if (isNew) continue;
+        if (same->second == value) fail(text, "the value " + inQuotes(value) + " stands twice");
+        fail(text, "the values " + inQuotes(same->second) + " and " + inQuotes(value) +
+                       " are the same number");
+    }
 }
 }  // namespace
 

@@ -34,8 +34,8 @@ struct SweptKey
 ///     log 0.01 : 1          any number between, equal ratios alike
 ///
 /// Numbers have at most 10 significant digits, those of log ranges 4. Throws std::runtime_error
-/// that says what is wrong: a part that is no number, an empty range, a value that stands twice,
-/// too many values.
+/// that says what is wrong: a part that is no number, an empty range, a value that stands twice
+/// (numbers in any spelling), too many values.
 SweptKey parseSweptKey(const std::string& name, std::string_view text, int line);
 
 /// The number of the interval at a place from 0 to 1, as in the configuration: with 6 significant
