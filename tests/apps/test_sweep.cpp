@@ -105,6 +105,15 @@ TEST_F(SweepProgram, KilledAndStartedAgainGivesTheSameTable)
     const fs::path one = fs::directory_iterator(at("killed/runs"))->path();
     fs::remove(one / "metrics.json");
     EXPECT_THAT(sweep("killed").output, HasSubstr("remove the folder " + one.string()));
+    for (const char* bytes : {"", "{\"hota\": {", "{}", "[1]"})
+    {
+        make(fs::relative(one / "metrics.json", at("")).string(), bytes);
+        const Outcome damaged = sweep("killed");
+        EXPECT_EQ(damaged.exitCode, 1);
+        EXPECT_THAT(damaged.output, AllOf(HasSubstr("metrics.json: is damaged; remove the folder " +
+                                                    one.string() + " to do this run again"),
+                                          Not(HasSubstr("json.exception"))));
+    }
 }
 
 TEST_F(SweepProgram, InterruptedItSaysHowToGoOn)

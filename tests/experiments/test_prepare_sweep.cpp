@@ -58,6 +58,10 @@ TEST_F(PrepareSweep, ValuesThatTheTrackerDoesNotTake)
                 HasSubstr("'papers': expected one of paper"));
     EXPECT_THAT(problemOf(sweepFile("plan = random\ncount = 3", "clustering.min_points = 1 : 9")),
                 HasSubstr("a whole number"));
+    for (const std::string plan : {"random", "optimise"})
+        EXPECT_THAT(problemOf(sweepFile("plan = " + plan, "clustering.min_points = 1 : 9")),
+                    HasSubstr("sweep.ini:4: clustering.min_points: a range without a step takes "
+                              "any number between 1 and 9; give it one, as in '1 : 1 : 9'"));
     EXPECT_THAT(
         problemOf(sweepFile("", "clustering.gap_m = 0.5, 1\nclustering.max_gap_m = 0.8")),
         AllOf(HasSubstr("setting clustering.gap_m = 1"), HasSubstr("clustering.max_gap_m")));

@@ -95,9 +95,9 @@ std::vector<std::optional<double>> readMetrics(const std::filesystem::path& file
         for (const std::string& name : names) values.push_back(numberIn(json, name));
         return values;
     }
-    catch (const nlohmann::json::exception& error)
+    catch (const nlohmann::json::exception&)
     {
-        throw std::runtime_error(file.string() + ": " + error.what());
+        throw std::runtime_error(file.string() + ": is damaged");
     }
 }
 

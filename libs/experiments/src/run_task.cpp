@@ -170,9 +170,9 @@ RunTimes readTimes(const fs::path& resultFolder)
         const auto json = nlohmann::json::parse(readTextFile(file));
         return {json.at("frames"), json.at("seconds"), json.at("tracking_ms_per_frame")};
     }
-    catch (const nlohmann::json::exception& error)
+    catch (const nlohmann::json::exception&)
     {
-        throw std::runtime_error(file.string() + ": " + error.what());
+        throw std::runtime_error(file.string() + ": is damaged");
     }
 }
 

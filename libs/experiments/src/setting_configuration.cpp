@@ -54,12 +54,42 @@ std::string problemsOfValue(const SweepFile& file, const IniDocument& base, cons
     return "";
 }
 
-// The ends of an interval, and a number inside that a whole number would not be.
-std::vector<std::string> samplesOf(const SweptKey& key)
+// Of the values that were written, the first one that the key does not take.
+std::string problemsOfValues(const SweepFile& file, const IniDocument& base, const SweptKey& key,
+                             const std::vector<std::string>& values, const std::string& where)
 {
-    if (!key.interval) return key.values;
-    return {valueAt(*key.interval, 0.0), valueAt(*key.interval, 1.0),
-            valueAt(*key.interval, 0.381966)};
+    for (const std::string& value : values)
+    {
+        const std::string found = problemsOfValue(file, base, key.name, value, where);
+        if (!found.empty()) return found;
+    }
+    return "";
+}
+
+// Where the ends are right and numbers between them are not, the key takes whole numbers alone: two
+// places, as a wide interval may have a whole number of six digits at one.
+std::string problemsOfInterval(const SweepFile& file, const IniDocument& base, const SweptKey& key,
+                               const std::string& where)
+{
+    const SweptInterval& interval = *key.interval;
+    const std::string from = valueAt(interval, 0.0);
+    const std::string to = valueAt(interval, 1.0);
+    const std::string atEnds = problemsOfValues(file, base, key, {from, to}, where);
+    if (!atEnds.empty()) return atEnds;
+    const std::vector<std::string> between = {valueAt(interval, 0.381966),
+                                              valueAt(interval, 0.00381966)};
+    const std::string found = problemsOfValues(file, base, key, between, where);
+    if (found.empty()) return "";
+    return found + where + key.name + ": a range without a step takes any number between " + from +
+           " and " + to + "; give it one, as in '" + from + " : 1 : " + to +
+           "', or list the values\n";
+}
+
+std::string problemsOfSweptKey(const SweepFile& file, const IniDocument& base, const SweptKey& key)
+{
+    const std::string where = file.path.string() + ":" + std::to_string(key.line) + ": ";
+    if (key.interval) return problemsOfInterval(file, base, key, where);
+    return problemsOfValues(file, base, key, key.values, where);
 }
 
 std::string nameOf(const std::string& assignment)
@@ -106,16 +136,7 @@ void checkKeys(const SweepFile& file, const IniDocument& base)
 {
     readConfiguration(base);  // its own problems, under its own name
     std::string problems;
-    for (const SweptKey& key : file.keys)
-    {
-        const std::string where = file.path.string() + ":" + std::to_string(key.line) + ": ";
-        for (const std::string& value : samplesOf(key))
-        {
-            const std::string found = problemsOfValue(file, base, key.name, value, where);
-            problems += found;
-            if (!found.empty()) break;  // one wrong value tells enough of a key
-        }
-    }
+    for (const SweptKey& key : file.keys) problems += problemsOfSweptKey(file, base, key);
     for (const RecordingGroup& group : file.groups) problems += problemsOfGroup(file, base, group);
     if (!problems.empty()) throw std::runtime_error(problems.substr(0, problems.size() - 1));
 }
