@@ -69,14 +69,16 @@ bool isOwnFolder(const fs::path& folder)
 void checkFolder(const fs::path& folder)
 {
     if (isOwnFolder(folder)) return;
-    std::vector<std::string> names = outputNames();
-    for (const char* name : {kFolderMark, "runs", "tasks", "slurm"}) names.emplace_back(name);
-    for (const std::string& name : names)
-        if (isThere(folder / name))
-            throw std::runtime_error((folder / name).string() +
-                                     ": is there already, and not of a sweep (without a " +
-                                     kFolderMark + " of its own " + folder.string() +
-                                     " is no folder of vdamf-sweep); name another folder with -o");
+    std::vector<fs::path> paths;
+    for (const std::string& name : outputNames())
+        for (const fs::path& path : {folder / name, partialPathOf(folder / name)})
+            paths.push_back(path);
+    for (const char* name : {kFolderMark, "runs", "tasks", "slurm"}) paths.push_back(folder / name);
+    const auto found = std::find_if(paths.begin(), paths.end(), isThere);
+    if (found == paths.end()) return;
+    throw std::runtime_error(found->string() + ": is there already, and " + folder.string() +
+                             " is no folder of a sweep (none has written a " + kFolderMark +
+                             " there); name another folder with -o");
 }
 
 void claimFolder(const fs::path& folder)

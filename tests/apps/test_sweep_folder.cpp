@@ -36,8 +36,8 @@ TEST_F(SweepProgram, WritesOverNothingThatItReads)
 TEST_F(SweepProgram, WhatIsNotOfASweepStays)
 {
     writeSweep("", "measurement.sigma_m = 0.1, 0.2");
-    for (const char* name :
-         {"sweep.ini", "table.csv", "times.csv", "report.html", "best.ini", "runs/notes.txt"})
+    for (const char* name : {"sweep.ini", "table.csv", "times.csv", "report.html", "best.ini",
+                             "best.ini.partial", "runs/notes.txt"})
     {
         fs::remove_all(at("own"));
         make(std::string("own/") + name, "mine");
@@ -45,7 +45,7 @@ TEST_F(SweepProgram, WhatIsNotOfASweepStays)
         {
             const Outcome refused = sweep("own", how);
             EXPECT_EQ(refused.exitCode, 2) << name << how;
-            EXPECT_THAT(refused.output, HasSubstr("is there already, and not of a sweep"));
+            EXPECT_THAT(refused.output, HasSubstr("is no folder of a sweep"));
             EXPECT_THAT(refused.output, HasSubstr(at("own").string()));
             EXPECT_EQ(contentOf(std::string("own/") + name), "mine");
             EXPECT_EQ(std::distance(fs::directory_iterator(at("own")), {}), 1) << name << how;
