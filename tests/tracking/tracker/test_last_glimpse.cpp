@@ -149,6 +149,21 @@ TEST(LastGlimpse, OfAMovingCarThatShowsNoFaceLeavesItsPose)
     EXPECT_EQ(after.lastSeen, 2.1);
 }
 
+// It is on the car where the car was at that time.
+TEST(LastGlimpse, OfAMovingCarMayBeAFractionOfARevolutionLater)
+{
+    constexpr double kLag = 0.1;  // s
+    const TrackerOptions options;
+    VehicleKalmanFilter filter{options.motion};
+    const Track track = drivenOn(filter);
+    Sighting glimpse = sightingMoved(glimpseAt(2.1), kSpeedAhead * (2.1 + kLag));
+    glimpse.lag = kLag;
+    glimpse.around.x += 0.3;  // at its front end
+    const Track after = sightedTrack(track, glimpse, Neighbourhood(), filter, options);
+    EXPECT_EQ(after.state.mean, track.state.mean);
+    EXPECT_EQ(after.lastSeen, 2.1);
+}
+
 TEST(LastGlimpse, OfAMovingCarThatSeemsToTurnAtOnceLeavesItsPose)
 {
     const TrackerOptions options;
