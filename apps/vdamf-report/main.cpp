@@ -3,9 +3,11 @@
 #include <cstdio>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "program.h"
 #include "summary.h"
+#include "vdamf/evaluation/truth_frames.h"
 #include "vdamf/files/output_file.h"
 #include "vdamf/rawlog/annotated_rawlog.h"
 #include "vdamf/report/run_report.h"
@@ -78,6 +80,19 @@ vdamf::RunFacts factsOf(const CommandLine& line, const vdamf::Annotations& annot
     return facts;
 }
 
+// On stderr how much of the truth the page leaves out.
+void warnOfTruthLeftOut(const CommandLine& line, const std::vector<vdamf::TruthRow>& truth,
+                        const std::vector<double>& times)
+{
+    const double tolerance = line.evaluation.scoring.timeTolerance;
+    const std::size_t all = vdamf::framesOfTruth(truth, tolerance).size();
+    const std::size_t shown =
+        vdamf::framesOfTruth(vdamf::truthAt(truth, times, tolerance), tolerance).size();
+    if (shown == 0 || shown == all) return;
+    std::fprintf(stderr, "%s: %zu of its %zu frames are none that were tracked: left out\n",
+                 line.truth.c_str(), all - shown, all);
+}
+
 std::string pageOf(const CommandLine& line, const vdamf::Annotations& annotations,
                    const std::atomic<bool>& interrupted)
 {
@@ -89,12 +104,14 @@ std::string pageOf(const CommandLine& line, const vdamf::Annotations& annotation
     options.clustering = annotations.configuration.tracker.clustering;
     options.hitsPerFrame = static_cast<std::size_t>(line.hitsPerFrame);
     vdamf::RunReport report(options);
+    std::vector<double> times;
     const bool progress = !line.quiet && vdamf::isTerminal();
     const auto summary = vdamf::replayRawlog(
         line.input, annotations, interrupted,
         [&](const vdamf::LadarFrame& frame, const vdamf::FrameResult& result, double share)
         {
             report.add(frame, result);
+            times.push_back(result.time);
             if (progress) showProgress(share, report.frames());
         });
     if (progress) std::fprintf(stderr, "\n");
@@ -102,6 +119,7 @@ std::string pageOf(const CommandLine& line, const vdamf::Annotations& annotation
     if (summary.tablesUnused > 0)
         std::fprintf(stderr, "%s: %llu frames are left out: their scan or its pose is missing\n",
                      line.input.c_str(), static_cast<unsigned long long>(summary.tablesUnused));
+    warnOfTruthLeftOut(line, truth.rows, times);
     const vdamf::RunFacts facts = factsOf(line, annotations, summary);
     return line.truth.empty() ? report.html(facts) : report.html(facts, truth);
 }

@@ -114,6 +114,20 @@ TEST_F(Report, IsOnePageOfTheRun)
     EXPECT_EQ(rows + 1, lines);
 }
 
+TEST_F(Report, JudgesByTheTruthOfTheFramesTracked)
+{
+    trackStreet("--frames 60:80");
+    const Outcome run = report(path("t.rawlog") + " -o " + path("r.html") + kTruth);
+    ASSERT_EQ(run.exitCode, 0) << run.output;
+    EXPECT_THAT(run.output, HasSubstr("truth.csv: 100 of its 120 frames are none that were "
+                                      "tracked: left out"));
+    const nlohmann::json truth = test::runOf(contentOf("r.html"))["truth"];
+    EXPECT_EQ(truth["metrics"]["scored"]["frames"], 20);
+    EXPECT_GT(truth["metrics"]["clear_mot"]["recall"].get<double>(), 0.5);
+    for (const auto& mistake : truth["mistakes"])
+        EXPECT_LE(mistake["frames"].get<int>(), 20) << mistake.dump();
+}
+
 TEST_F(Report, ComesFromTheTrackerItselfWithTimes)
 {
     trackStreet("--frames 20:23 --report " + path("r.html") + " --scene " + path("r.3Dscene"));

@@ -98,6 +98,21 @@ TEST(RunReport, JudgesByTheTruth)
     EXPECT_EQ(judged["metrics"]["clear_mot"]["recall"], 0.5);
 }
 
+TEST(RunReport, LeavesOutTruthOfFramesThatWereNotTracked)
+{
+    ReportTruth truth;
+    for (int f = -5; f < 20; ++f)
+        truth.rows.push_back(exampleTruth(1.7e9 + 0.1 * f, "found", 200.0));
+    const json judged = test::runOf(exampleReport(3).html({}, truth))["truth"];
+    EXPECT_EQ(judged["objects"][0]["frame"], json({0, 1, 2}));
+    EXPECT_EQ(judged["mistakes"], json::array());
+    EXPECT_EQ(judged["metrics"]["clear_mot"]["recall"], 1.0);
+    // Also where the run has no tracks that could say that nothing fits.
+    RunReport empty;
+    empty.add(test::exampleFrame(1.8e9), test::exampleResult(1.8e9, {}));
+    EXPECT_THROW(empty.html({}, truth), std::runtime_error);
+}
+
 TEST(RunReport, HasTheSameBytesEachTime)
 {
     const RunFacts facts{"run", "1", "", {{"a", "b"}}, {{"reading", 1.5}}};

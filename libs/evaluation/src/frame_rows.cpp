@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "vdamf/evaluation/truth_frames.h"
 #include "vdamf/files/numbers.h"
 
 namespace vdamf
@@ -96,24 +97,15 @@ void placeSensor(Frames& frames)
     }
 }
 
-std::string spanInWords(double first, double last)
-{
-    return toFixedText(first, 6) + " to " + toFixedText(last, 6) + " s";
-}
-
 void checkCommonTime(const Frames& frames, const std::vector<TruthRow>& truth,
                      const std::vector<TrackRow>& tracks)
 {
     const auto isCommon = [](const FrameRows& frame)
     { return !frame.truth.empty() && !frame.tracks.empty(); };
     if (tracks.empty() || std::any_of(frames.begin(), frames.end(), isCommon)) return;
-    const auto earlier = [](const auto& a, const auto& b) { return a.time < b.time; };
-    const auto ofTruth = std::minmax_element(truth.begin(), truth.end(), earlier);
-    const auto ofTracks = std::minmax_element(tracks.begin(), tracks.end(), earlier);
-    throw std::runtime_error(
-        "no frame of the truth (" + spanInWords(ofTruth.first->time, ofTruth.second->time) +
-        ") has a time of the tracks (" + spanInWords(ofTracks.first->time, ofTracks.second->time) +
-        "); are both of the same recording?");
+    throw std::runtime_error("no frame of the truth (" + inWords(*spanOf(truth)) +
+                             ") has a time of the tracks (" + inWords(*spanOf(tracks)) +
+                             "); are both of the same recording?");
 }
 
 void keepLabelledSpan(Frames& frames)

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <stdexcept>
 
 #include "vdamf/evaluation/evaluation_json.h"
+#include "vdamf/evaluation/truth_frames.h"
 
 namespace vdamf
 {
@@ -46,6 +48,18 @@ std::vector<TrackRow> rowsOf(const std::vector<RecordedFrame>& frames)
     for (const RecordedFrame& frame : frames)
         for (const TrackReport& track : frame.tracks) rows.push_back({frame.time, track});
     return rows;
+}
+
+/// Truth of frames that were not tracked is neither found nor missed.
+std::vector<TruthRow> truthOf(const std::vector<RecordedFrame>& frames, const ReportTruth& truth)
+{
+    std::vector<double> times;
+    for (const RecordedFrame& frame : frames) times.push_back(frame.time);
+    std::vector<TruthRow> rows = truthAt(truth.rows, times, truth.evaluation.scoring.timeTolerance);
+    if (!rows.empty() || truth.rows.empty()) return rows;
+    throw std::runtime_error(
+        "no frame of the truth (" + inWords(*spanOf(truth.rows)) + ") has a time of the tracks (" +
+        inWords(TimeSpan{times.front(), times.back()}) + "); are both of the same recording?");
 }
 
 void append(Json& columns, std::size_t frame, const TruthRow& row, bool doesCount)
@@ -143,7 +157,8 @@ Json mistakeJson(const Mistake& m, const FrameTimes& times, const Objects& objec
 Json truthJson(const std::vector<RecordedFrame>& frames, const ReportTruth& truth)
 {
     const std::vector<TrackRow> rows = rowsOf(frames);
-    const Sequence sequence = makeSequence(truth.rows, rows, truth.evaluation.scoring);
+    const std::vector<TruthRow> labelled = truthOf(frames, truth);
+    const Sequence sequence = makeSequence(labelled, rows, truth.evaluation.scoring);
     const auto matches = matchFrames(sequence, truth.evaluation.scoring.overlap);
     const auto pairs = poseErrors(sequence, matchFrames(sequence, truth.evaluation.pairOverlap));
     const FrameTimes times(frames, truth.evaluation.scoring.timeTolerance);
@@ -151,7 +166,7 @@ Json truthJson(const std::vector<RecordedFrame>& frames, const ReportTruth& trut
     Json mistakes = Json::array();
     for (const Mistake& m : mistakesOf(sequence, matches, pairs, truth.mistakes))
         mistakes.push_back(mistakeJson(m, times, objects));
-    const Evaluation evaluation = evaluate(truth.rows, rows, truth.evaluation);
+    const Evaluation evaluation = evaluate(labelled, rows, truth.evaluation);
     return {{"objects", objects.json},
             {"matches", matchesJson(sequence, matches, times, objects, frames.size())},
             {"mistakes", std::move(mistakes)},

@@ -8,8 +8,8 @@
 namespace vdamf
 {
 /// Keys: objects (arrays over their frames), matches (a frame each: pairs of object index and
-/// track, missed objects, false tracks), mistakes, metrics (as vdamf-evaluate writes them). Throws
-/// as makeSequence().
+/// track, missed objects, false tracks), mistakes, metrics (as vdamf-evaluate writes them). Truth
+/// of other frames than these is left out. Throws as makeSequence().
 Json truthJson(const std::vector<RecordedFrame>& frames, const ReportTruth& truth);
 
 }  // namespace vdamf

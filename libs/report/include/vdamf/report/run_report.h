@@ -37,7 +37,7 @@ struct RunFacts
     std::vector<std::pair<std::string, double>> stageMillis;
 };
 
-/// What truth the page shows and judges by.
+/// What truth the page shows and judges by; what it has of other frames than the run's is left out.
 struct ReportTruth
 {
     std::vector<TruthRow> rows;
