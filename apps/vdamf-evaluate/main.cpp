@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vdamf-evaluate: how good tracks are, told by the truth.
-#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -10,8 +9,10 @@
 #include <vector>
 
 #include "program.h"
+#include "time_warnings.h"
 #include "vdamf/evaluation/evaluation.h"
 #include "vdamf/evaluation/evaluation_json.h"
+#include "vdamf/evaluation/truth_frames.h"
 #include "vdamf/files/folder.h"
 #include "vdamf/files/output_file.h"
 #include "vdamf/report/evaluation_plots.h"
@@ -28,6 +29,7 @@ struct CommandLine
     fs::path json;
     fs::path plots;
     double regionFovDegrees = 0.0;
+    bool trackedSpan = false;
     bool objects = false;
     bool overwrite = false;
     vdamf::EvaluationOptions options;
@@ -69,6 +71,8 @@ void declareScoring(CLI::App& app, CommandLine& line)
                    "objects slower than this stand still")
         ->check(vdamf::within(0.0, 100.0))
         ->capture_default_str();
+    app.add_flag("--tracked-span", line.trackedSpan,
+                 "score from the first to the last time of the tracks: of a part of a recording");
     app.add_flag("--vehicles-only", scoring.onlyVehicles,
                  "drop tracks that the discriminator takes for clutter");
     app.add_flag("--with-tentative", scoring.withTentative, "score tentative tracks too");
@@ -166,36 +170,31 @@ void write(const std::vector<Output>& outputs, bool overwrite)
     for (const auto& file : files) file->commit();
 }
 
-// Says so where tracks have frames that the truth knows nothing of: a truth of every second scan,
-// or of one sensor among several, would else pass for false alarms.
-void warnOfFramesWithoutTruth(const std::vector<vdamf::TruthRow>& truth,
-                              const std::vector<vdamf::TrackRow>& tracks)
+vdamf::ScoredTables tablesOf(const CommandLine& line)
 {
-    const auto millisecond = [](double time) { return std::llround(1e3 * time); };
-    std::set<long long> known;
-    for (const vdamf::TruthRow& row : truth) known.insert(millisecond(row.time));
-    std::set<long long> frames;
-    for (const vdamf::TrackRow& row : tracks) frames.insert(millisecond(row.time));
-    std::size_t unknown = 0;
-    for (const long long frame : frames)
-    {
-        const auto next = known.lower_bound(frame - 1);
-        const bool isWithin = !known.empty() && frame > *known.begin() && frame < *known.rbegin();
-        unknown += isWithin && (next == known.end() || *next > frame + 1) ? 1 : 0;
-    }
-    if (unknown == 0) return;
-    std::fprintf(stderr,
-                 "vdamf-evaluate: the truth has no row at the time of %zu of the tracks' %zu "
-                 "frames; every track in them counts as a false alarm\n",
-                 unknown, frames.size());
+    vdamf::ScoredTables tables;
+    tables.truthName = line.truth.string();
+    tables.tracksName = line.tracks.string();
+    tables.truth = vdamf::readTruth(line.truth);
+    tables.tracks = vdamf::readTracks(line.tracks);
+    if (!line.trackedSpan || tables.truth.empty()) return tables;
+    const auto tracked = vdamf::spanOf(tables.tracks);
+    if (!tracked)
+        throw std::runtime_error(tables.tracksName +
+                                 ": has no rows, so --tracked-span has no times");
+    const std::string labelled = inWords(*vdamf::spanOf(tables.truth));
+    tables.truth = vdamf::truthWithin(tables.truth, *tracked, line.options.scoring.timeTolerance);
+    if (!tables.truth.empty()) return tables;
+    throw std::runtime_error(tables.truthName + ": none of its frames (" + labelled +
+                             ") is between the times of " + tables.tracksName + " (" +
+                             inWords(*tracked) + ")");
 }
 
 int run(const CommandLine& line)
 {
-    const std::vector<vdamf::TruthRow> truth = vdamf::readTruth(line.truth);
-    const std::vector<vdamf::TrackRow> tracks = vdamf::readTracks(line.tracks);
-    warnOfFramesWithoutTruth(truth, tracks);
-    const vdamf::Evaluation evaluation = vdamf::evaluate(truth, tracks, line.options);
+    const vdamf::ScoredTables tables = tablesOf(line);
+    vdamf::warnOfTimes(tables, line.options.scoring.timeTolerance);
+    const vdamf::Evaluation evaluation = vdamf::evaluate(tables.truth, tables.tracks, line.options);
     if (!line.plots.empty() && !isOnePicture(line.plots)) vdamf::makeFolder(line.plots);
     write(contentsOf(line, evaluation), line.overwrite);
     std::string text = vdamf::evaluationText(evaluation);

@@ -85,9 +85,9 @@ void warnOfTruthLeftOut(const CommandLine& line, const std::vector<vdamf::TruthR
                         const std::vector<double>& times)
 {
     const double tolerance = line.evaluation.scoring.timeTolerance;
-    const std::size_t all = vdamf::framesOfTruth(truth, tolerance).size();
+    const std::size_t all = vdamf::frameTimes(truth, tolerance).size();
     const std::size_t shown =
-        vdamf::framesOfTruth(vdamf::truthAt(truth, times, tolerance), tolerance).size();
+        vdamf::frameTimes(vdamf::truthAt(truth, times, tolerance), tolerance).size();
     if (shown == 0 || shown == all) return;
     std::fprintf(stderr, "%s: %zu of its %zu frames are none that were tracked: left out\n",
                  line.truth.c_str(), all - shown, all);

@@ -9,6 +9,7 @@ namespace vdamf
 namespace
 {
 using ::testing::HasSubstr;
+using ::testing::Not;
 using EvaluateAppErrors = EvaluateAppTest;
 
 TEST_F(EvaluateAppErrors, TheSameInputGivesTheSameBytes)
@@ -99,6 +100,72 @@ TEST_F(EvaluateAppErrors, ABadCommandLineIsTwo)
     EXPECT_EQ(runApp("vdamf-evaluate", "--truth t.csv").exitCode, 2);
     EXPECT_EQ(runApp("vdamf-evaluate", "--help").exitCode, 0);
     EXPECT_EQ(runApp("vdamf-evaluate", "--version").exitCode, 0);
+}
+
+/// Rows of some frames alone.
+auto onlyFrames(int first, int last)
+{
+    return [=](TrackRow row, int frame) -> std::vector<TrackRow>
+    {
+        if (frame < first || frame > last) return {};
+        return {std::move(row)};
+    };
+}
+
+TEST_F(EvaluateAppErrors, SaysHowMuchTruthIsOutsideOfTheTracksTimes)
+{
+    writeTables(onlyFrames(3, 12));
+    const Outcome all = evaluate();
+    EXPECT_EQ(all.exitCode, 0) << all.output;
+    EXPECT_THAT(all.output,
+                HasSubstr("truth.csv (100.000000 to 101.900000 s): 10 of its 20 frames"));
+    EXPECT_THAT(all.output, HasSubstr("tracks.csv (100.300000 to 101.200000 s)"));
+    EXPECT_THAT(all.output, HasSubstr("--tracked-span"));
+    EXPECT_EQ(metrics()["clear_mot"]["recall"], 0.5);
+    EXPECT_EQ(metrics("--tracked-span")["clear_mot"]["recall"], 1.0);
+    EXPECT_EQ(metrics("--tracked-span")["scored"]["frames"], 10);
+    EXPECT_THAT(evaluate("--tracked-span").output, Not(HasSubstr("vdamf-evaluate:")));
+}
+
+TEST_F(EvaluateAppErrors, FramesInsideWithoutTracksAreNoWarning)
+{
+    writeTables(
+        [](TrackRow row, int frame) -> std::vector<TrackRow>
+        {
+            if (frame == 5 || frame == 6) return {};
+            return {std::move(row)};
+        });
+    EXPECT_THAT(evaluate().output, Not(HasSubstr("vdamf-evaluate:")));
+    EXPECT_EQ(metrics("--tracked-span")["clear_mot"]["recall"], 0.9);
+}
+
+TEST_F(EvaluateAppErrors, SaysWhereTimesOfTheTablesLieBesideEachOther)
+{
+    writeTables(
+        [](TrackRow row, int frame)
+        {
+            row.time += frame >= 10 && frame < 15 ? 0.02 : 0.0;
+            return std::vector<TrackRow>{std::move(row)};
+        });
+    EXPECT_THAT(evaluate().output, HasSubstr("5 of the 20 frames"));
+    EXPECT_THAT(evaluate().output, HasSubstr("up to 0.0200 s beside frames of"));
+}
+
+TEST_F(EvaluateAppErrors, ASpanNeedsTracksInTheTruthsTime)
+{
+    writeTables(onlyFrames(50, 60));
+    const Outcome none = evaluate("--tracked-span");
+    EXPECT_EQ(none.exitCode, 1);
+    EXPECT_THAT(none.output, HasSubstr("tracks.csv: has no rows"));
+    writeTables(
+        [](TrackRow row, int /*frame*/)
+        {
+            row.time += 1000.0;
+            return std::vector<TrackRow>{std::move(row)};
+        });
+    const Outcome other = evaluate("--tracked-span");
+    EXPECT_EQ(other.exitCode, 1);
+    EXPECT_THAT(other.output, HasSubstr("none of its frames (100.000000 to 101.900000 s)"));
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ TEST(TruthFrames, AreThoseOfASpanOfTime)
     const std::vector<TruthRow> part =
         truthWithin(scene.truth, {timeOf(3) + 0.0005, timeOf(5) - 0.0005});
     EXPECT_EQ(part.size(), 6U);
-    EXPECT_THAT(framesOfTruth(part), ElementsAre(timeOf(3), timeOf(4), timeOf(5)));
+    EXPECT_THAT(frameTimes(part), ElementsAre(timeOf(3), timeOf(4), timeOf(5)));
     EXPECT_THAT(truthWithin(scene.truth, {timeOf(20), timeOf(30)}), IsEmpty());
 }
 
@@ -40,7 +40,7 @@ TEST(TruthFrames, AreThoseAtGivenTimes)
     const std::vector<TruthRow> part =
         truthAt(scene.truth, {timeOf(7) - 0.0005, timeOf(2), timeOf(4) + 0.05});
     EXPECT_EQ(part.size(), 4U);
-    EXPECT_THAT(framesOfTruth(part), ElementsAre(timeOf(2), timeOf(7)));
+    EXPECT_THAT(frameTimes(part), ElementsAre(timeOf(2), timeOf(7)));
     EXPECT_THAT(truthAt(scene.truth, {}), IsEmpty());
 }
 

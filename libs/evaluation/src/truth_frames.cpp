@@ -18,6 +18,19 @@ std::optional<TimeSpan> spanOfRows(const std::vector<Row>& rows)
     return TimeSpan{first->time, last->time};
 }
 
+template <class Row>
+std::vector<double> frameTimesOfRows(const std::vector<Row>& rows, double tolerance)
+{
+    std::vector<double> all;
+    all.reserve(rows.size());
+    for (const Row& row : rows) all.push_back(row.time);
+    std::sort(all.begin(), all.end());
+    std::vector<double> times;
+    for (const double time : all)
+        if (times.empty() || time > times.back() + tolerance) times.push_back(time);
+    return times;
+}
+
 template <class IsKept>
 std::vector<TruthRow> rowsThat(const std::vector<TruthRow>& truth, const IsKept& isKept)
 {
@@ -63,16 +76,14 @@ std::vector<TruthRow> truthAt(const std::vector<TruthRow>& truth, std::vector<do
                     });
 }
 
-std::vector<double> framesOfTruth(const std::vector<TruthRow>& truth, double tolerance)
+std::vector<double> frameTimes(const std::vector<TruthRow>& truth, double tolerance)
 {
-    std::vector<double> all;
-    all.reserve(truth.size());
-    for (const TruthRow& row : truth) all.push_back(row.time);
-    std::sort(all.begin(), all.end());
-    std::vector<double> times;
-    for (const double time : all)
-        if (times.empty() || time > times.back() + tolerance) times.push_back(time);
-    return times;
+    return frameTimesOfRows(truth, tolerance);
+}
+
+std::vector<double> frameTimes(const std::vector<TrackRow>& tracks, double tolerance)
+{
+    return frameTimesOfRows(tracks, tolerance);
 }
 
 }  // namespace vdamf

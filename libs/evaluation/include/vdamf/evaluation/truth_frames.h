@@ -34,8 +34,8 @@ std::vector<TruthRow> truthWithin(const std::vector<TruthRow>& truth, const Time
 std::vector<TruthRow> truthAt(const std::vector<TruthRow>& truth, std::vector<double> times,
                               double tolerance = 1e-3);
 
-/// Times of the truth, by rising time; rows within `tolerance` (s) of the first one of a frame
-/// belong to it.
-std::vector<double> framesOfTruth(const std::vector<TruthRow>& truth, double tolerance = 1e-3);
+/// Times of frames, rising; rows within `tolerance` (s) of the first one of a frame belong to it.
+std::vector<double> frameTimes(const std::vector<TruthRow>& truth, double tolerance = 1e-3);
+std::vector<double> frameTimes(const std::vector<TrackRow>& tracks, double tolerance = 1e-3);
 
 }  // namespace vdamf
