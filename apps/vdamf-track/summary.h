@@ -118,6 +118,7 @@ inline void warn(const TrackRawlogSummary& s, const std::string& input)
     line(s.partlyDeskewed,
          "scans with hits at whose time there is no INS pose: these are placed by the pose nearest "
          "in time");
+    line(s.ofEarlierRun, "entries of an earlier run (its head, tracks and scenes) left out");
     warnOfEntries(s.read, input);
     warnOfPoses(s, input);
 }

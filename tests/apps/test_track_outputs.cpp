@@ -155,5 +155,18 @@ TEST_F(TrackOutputs, NamesItselfInVersionAndErrors)
     EXPECT_THAT(track("-o").output, StartsWith("vdamf-track: "));
 }
 
+TEST_F(TrackOutputs, OfARawlogTrackedAgainAreThoseOfTheNewRun)
+{
+    ASSERT_EQ(brief("-q" + out("once.rawlog")).exitCode, 0);
+    const Outcome again = track("-q --frames 0:3" + in("once.rawlog") + out("again.rawlog"));
+    EXPECT_EQ(again.exitCode, 0) << again.output;
+    EXPECT_THAT(again.output, HasSubstr("entries of an earlier run (its head, tracks and scenes)"));
+    EXPECT_TRUE(contentOf("again.rawlog") == contentOf("once.rawlog"));
+    // Where no rawlog is written, nothing is left out of it.
+    const Outcome table =
+        track("-q --frames 0:3" + in("once.rawlog") + " --tracks " + path("t.csv"));
+    EXPECT_EQ(table.output, "");
+}
+
 }  // namespace
 }  // namespace vdamf

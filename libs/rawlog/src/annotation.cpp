@@ -17,6 +17,17 @@ bool isAnnotation(const mrpt::obs::CObservation& observation)
     return observation.sensorLabel.rfind(kAnnotationLabel, 0) == 0;
 }
 
+bool isHead(const mrpt::obs::CObservation& observation)
+{
+    const auto* comment = dynamic_cast<const mrpt::obs::CObservationComment*>(&observation);
+    return comment != nullptr && comment->text.rfind(kHeadBegin, 0) == 0;
+}
+
+bool isScene(const mrpt::obs::CObservation& observation)
+{
+    return dynamic_cast<const mrpt::obs::CObservation3DScene*>(&observation) != nullptr;
+}
+
 mrpt::obs::CObservationComment headComment(const std::string& version, const std::string& origin,
                                            const std::string& insSource,
                                            const Configuration& configuration,
@@ -26,7 +37,7 @@ mrpt::obs::CObservationComment headComment(const std::string& version, const std
     for (const std::string& c : annotationColumns()) columns += (columns.empty() ? "" : ",") + c;
     mrpt::obs::CObservationComment comment;
     comment.timestamp = stamp;
-    comment.text = "[vdamf]\nversion = " + version +
+    comment.text = std::string(kHeadBegin) + "version = " + version +
                    "\nworld = x east, y north, z up\norigin = " + origin + "\nins = " + insSource +
                    "\ntable_label = vdamf_tracks\ntable_columns = " + columns + "\n\n" +
                    toIni(configuration);

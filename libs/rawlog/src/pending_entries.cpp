@@ -86,6 +86,13 @@ std::optional<RawlogEntry> PendingEntries::nextEntry()
     }
 }
 
+bool PendingEntries::isOfEarlierRun(const mrpt::obs::CObservation& observation)
+{
+    const bool isFirst = isHead(observation);
+    hasHead_ = hasHead_ || isFirst;
+    return isFirst || isAnnotation(observation) || (hasHead_ && isScene(observation));
+}
+
 bool PendingEntries::readOne()
 {
     std::optional<RawlogEntry> entry = nextEntry();
@@ -100,6 +107,7 @@ bool PendingEntries::readOne()
     if (pending.entry.movement) ins_.insert(*pending.entry.movement);
     for (const auto& observation : observationsOf(pending.entry))
     {
+        pending.ofEarlierRun = observation == pending.entry.object && isOfEarlierRun(*observation);
         if (isAnnotation(*observation)) continue;
         ins_.insert(*observation);
         const bool stamped = observation->timestamp != INVALID_TIMESTAMP;
@@ -113,7 +121,8 @@ bool PendingEntries::readOne()
     }
     // The scans keep what is needed of the object; the bytes serve for the copy.
     pending.entry.object.reset();
-    if (pending.entry.kind == RawlogEntry::Kind::Damaged) std::string().swap(pending.entry.bytes);
+    if (pending.entry.kind == RawlogEntry::Kind::Damaged || pending.ofEarlierRun)
+        std::string().swap(pending.entry.bytes);
     bytes_ += pending.entry.bytes.size();
     entries_.push_back(std::move(pending));
     if (minorCounted && !minorCount_) dropMinorScans();

@@ -32,6 +32,7 @@ struct PendingEntry
     std::vector<PendingScan> scans;
     std::uint64_t unstamped = 0;  ///< scans without a time stamp, which are not among `scans`
     std::optional<double> time;   ///< of what was observed last in it, s (UNIX)
+    bool ofEarlierRun = false;    ///< a head, an annotation or a scene: not handed on
 };
 
 /// Entries in file order, read ahead until the poses reach their scans, so that a scan can be
@@ -63,6 +64,7 @@ public:
 private:
     std::optional<RawlogEntry> nextEntry();
     bool readOne();
+    bool isOfEarlierRun(const mrpt::obs::CObservation& observation);
     bool counts(const mrpt::obs::CObservation& observation);
     void dropMinorScans();
     PendingScan pendingScan(const mrpt::obs::CObservation::Ptr& observation, double time) const;
@@ -74,6 +76,7 @@ private:
     InsTrajectory& ins_;
     ScanOptions options_;
     bool minorCount_ = true;
+    bool hasHead_ = false;  // of an earlier run
     std::deque<PendingEntry> entries_;
     std::size_t bytes_ = 0;
     bool atEnd_ = false;

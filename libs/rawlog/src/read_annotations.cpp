@@ -16,8 +16,6 @@ namespace vdamf
 {
 namespace
 {
-constexpr const char* kHeadBegin = "[vdamf]\n";
-
 /// Values of the head's own section by key. They are free text, so they are not read as strict ini.
 std::map<std::string, std::string> valuesOf(const std::string& section)
 {

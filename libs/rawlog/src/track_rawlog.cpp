@@ -194,6 +194,11 @@ private:
         const PendingEntry entry = pending_.popFirst();
         if (scansMet_ >= job_.firstFrame) summary_.unstamped += entry.unstamped;
         if (!firstEntryTime_) firstEntryTime_ = entry.time;
+        if (entry.ofEarlierRun)
+        {
+            summary_.ofEarlierRun += job_.output ? 1 : 0;
+            return;
+        }
         const Stopwatch watch(summary_.writeSeconds);
         outputs_.copy(entry);
         if (outputs_.heldBytes() > job_.heldBytes) writeHead();

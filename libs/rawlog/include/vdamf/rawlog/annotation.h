@@ -24,6 +24,11 @@ inline constexpr const char* kTableLabel = "vdamf_tracks";
 /// Of where the world of the poses lies in that of the tracks.
 inline constexpr const char* kAlignmentLabel = "vdamf_tracks_alignment";
 bool isAnnotation(const mrpt::obs::CObservation& observation);
+/// First line of the head's text.
+inline constexpr const char* kHeadBegin = "[vdamf]\n";
+bool isHead(const mrpt::obs::CObservation& observation);
+/// Also of others than a run: MRPT stores scenes without their label.
+bool isScene(const mrpt::obs::CObservation& observation);
 
 /// First entry of an annotated rawlog, in ini form: program version, world origin, columns of the
 /// table, effective configuration. Its time stamp is that of the first frame.

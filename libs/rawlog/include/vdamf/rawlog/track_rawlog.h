@@ -56,6 +56,7 @@ struct TrackRawlogSummary
     std::uint64_t unreadable = 0;            ///< scans skipped: cannot be read
     std::uint64_t merged = 0;                ///< scans that joined the frame of another sensor
     std::uint64_t withoutHits = 0;           ///< scans (tracked) that have none
+    std::uint64_t ofEarlierRun = 0;          ///< entries that an earlier run added, left out
     std::uint64_t partlyDeskewed = 0;        ///< scans with hits at whose time there is no INS pose
     std::string firstUnreadable;             ///< why
     std::vector<std::string> sensors;        ///< labels of the scans, the first eight
