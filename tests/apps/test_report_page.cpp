@@ -19,9 +19,9 @@ TEST_F(ReportPage, WorksInABrowser)
     const Outcome tracked =
         track("-q --frames 20:40 -i " + kStreet + out("t.rawlog") + " --tracks " + path("t.csv"));
     ASSERT_EQ(tracked.exitCode, 0) << tracked.output;
-    const Outcome made =
-        runApp("vdamf-report", path("t.rawlog") + " -o " + path("r.html") +
-                                   " --truth " VDAMF_SOURCE_DIR "/datasets/street/truth.csv");
+    const Outcome made = runApp("vdamf-report", path("t.rawlog") + " -o " + path("r.html") +
+                                                    " --max-range-m 15 --truth " VDAMF_SOURCE_DIR
+                                                    "/datasets/street/truth.csv");
     ASSERT_EQ(made.exitCode, 0) << made.output;
     const Outcome used = runShell("PYTHONDONTWRITEBYTECODE=1 python3 " VDAMF_SOURCE_DIR
                                   "/tests/apps/browser/check_report.py " +

@@ -15,6 +15,7 @@ const kColumns = [
 function summaryOf(run, track) {
   const last = track.frame.length - 1;
   return {track, id: track.id, what: whatIs(run, track), isVehicle: isVehicle(run, track),
+          isLabelled: track.follows.length > 0,
           from: run.times[track.first], to: run.times[track.last],
           speed: medianOf(track.speed), length: track.length[last], width: track.width[last]};
 }
@@ -42,11 +43,12 @@ function fillTracks(panel, state) {
   const all = run.tracks.filter((track) => track.wasPublished)
       .map((track) => summaryOf(run, track));
   const vehicles = all.filter((row) => row.isVehicle).length;
+  const labelled = all.filter((row) => row.isLabelled).length;
   const others = checkBox("show the other objects too");
   others.hidden = vehicles === all.length;
   const note = paragraph("");
   const table = document.createElement("table");
-  panel.append(paragraph(introduction(run, all.length, vehicles)), others, table, note);
+  panel.append(paragraph(introduction(run, all.length, labelled, vehicles - labelled)), others, table, note);
   const order = {column: null, sign: 1};
   const rows = new TrackRows(state);
   const fill = () => {
@@ -73,10 +75,13 @@ function fillTracks(panel, state) {
 
 const kMostRows = 1000;
 
-function introduction(run, count, vehicles) {
-  const kind = run.truth ? "labelled vehicles" : "held for vehicles";
-  return `${count} objects were tracked` + (vehicles < count ? `, ${vehicles} of them ${kind}. `
-                                                             : ". ") +
+/** Counts of tracks: all, on labelled vehicles, and others held for vehicles. */
+function introduction(run, count, labelled, held) {
+  const parts = [`${count} objects were tracked`];
+  if (run.truth) parts.push(`${labelled} of them on labelled vehicles`);
+  if (run.hasProbabilities && (run.truth || held < count))
+    parts.push(`${held} ${run.truth ? "others" : "of them"} held for vehicles`);
+  return `${parts.join(", ")}. ` +
       "Those not in the scene at this time are pale. Click one for its history.";
 }
 

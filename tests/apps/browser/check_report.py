@@ -102,6 +102,20 @@ class Reader:
         self.page.click(x, y)
         assert self.state("frame") != before, "a click on a chart goes there"
 
+    def counts_tracks(self):
+        """By the pairs and the table, not by the page's own sums."""
+        labelled = set(self.page.js(
+            "report.run.truth.matches.flatMap((m) => m.pairs.map((p) => p[1]))"))
+        published = {int(row["track_id"]) for row in self.rows
+                     if row["status"] in ("confirmed", "coasting")}
+        last = {int(row["track_id"]): row["vehicle_probability"] for row in self.rows}
+        held = {track for track in published - labelled
+                if last[track] and round(float(last[track]), 3) >= 0.5}
+        assert labelled and held
+        words = "%d objects were tracked, %d of them on labelled vehicles, %d others held" % (
+            len(published), len(labelled), len(held))
+        assert words in self.text("#tracks p"), (words, self.text("#tracks p"))
+
     def lists_tracks(self):
         self.page.js("document.querySelector('#tracks .row').click()")
         chosen = self.page.js("Number(document.querySelector('#tracks .row').dataset.id)")
@@ -163,7 +177,7 @@ class Reader:
 
 
 CHECKS = [Reader.loads, Reader.steps_and_seeks, Reader.draws_each_frame, Reader.plays,
-          Reader.picks_a_track, Reader.shows_history_and_close_up, Reader.lists_tracks,
+          Reader.picks_a_track, Reader.shows_history_and_close_up, Reader.counts_tracks, Reader.lists_tracks,
           Reader.goes_to_mistakes, Reader.turns_to_3d, Reader.changes_theme, Reader.helps,
           Reader.keeps_its_place_in_the_address, Reader.is_quiet]
 
