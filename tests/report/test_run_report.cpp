@@ -121,8 +121,11 @@ TEST(RunReport, HasTheSameBytesEachTime)
 
 TEST(RunReport, TakesTextThatIsNoUtf8)
 {
-    const json run = test::runOf(exampleReport(1).html({"file\xff", "", "", {}, {}}));
-    EXPECT_THAT(run["facts"]["title"].get<std::string>(), testing::StartsWith("file"));
+    const std::string page = exampleReport(1).html({"file\xff\xc3.\xc3\xa4", "", "", {}, {}});
+    const std::string title = "file\xef\xbf\xbd\xef\xbf\xbd.\xc3\xa4";
+    EXPECT_EQ(test::runOf(page)["facts"]["title"], title);
+    EXPECT_THAT(page, HasSubstr("<title>" + title));
+    EXPECT_THAT(page, Not(HasSubstr("\xff")));
 }
 
 TEST(RunReport, NeedsAFrame)

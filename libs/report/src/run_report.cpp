@@ -28,6 +28,13 @@ std::string dataElement(const std::string& id, const std::string& content)
     return "<script type=\"text/plain\" id=\"" + id + "\">" + content + "</script>\n";
 }
 
+/// As it is in UTF-8: what is none, as file names can have it, is U+FFFD.
+std::string utf8(const std::string& text)
+{
+    constexpr auto kReplace = Json::error_handler_t::replace;
+    return Json::parse(Json(text).dump(-1, ' ', false, kReplace)).get<std::string>();
+}
+
 Json filterJson()
 {
     const FilterShape shape = FilterShape::paper();
@@ -72,7 +79,7 @@ struct RunReport::Impl
             dataElement("run", packed(run.dump(-1, ' ', false, Json::error_handler_t::replace)));
         for (std::size_t f = 0; f < frames.size(); ++f)
             data += dataElement("hits" + std::to_string(f), frames[f].hits);
-        return pageWith(facts.title, data);
+        return pageWith(utf8(facts.title), data);
     }
 };
 
