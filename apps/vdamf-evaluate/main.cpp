@@ -12,6 +12,7 @@
 #include "time_warnings.h"
 #include "vdamf/evaluation/evaluation.h"
 #include "vdamf/evaluation/evaluation_json.h"
+#include "vdamf/evaluation/named_tables.h"
 #include "vdamf/evaluation/truth_frames.h"
 #include "vdamf/files/folder.h"
 #include "vdamf/files/output_file.h"
@@ -193,8 +194,10 @@ vdamf::ScoredTables tablesOf(const CommandLine& line)
 int run(const CommandLine& line)
 {
     const vdamf::ScoredTables tables = tablesOf(line);
+    const vdamf::Evaluation evaluation = vdamf::namingTables(
+        line.truth, line.tracks,
+        [&] { return vdamf::evaluate(tables.truth, tables.tracks, line.options); });
     vdamf::warnOfTimes(tables, line.options.scoring.timeTolerance);
-    const vdamf::Evaluation evaluation = vdamf::evaluate(tables.truth, tables.tracks, line.options);
     if (!line.plots.empty() && !isOnePicture(line.plots)) vdamf::makeFolder(line.plots);
     write(contentsOf(line, evaluation), line.overwrite);
     std::string text = vdamf::evaluationText(evaluation);

@@ -7,6 +7,7 @@
 
 #include "program.h"
 #include "summary.h"
+#include "vdamf/evaluation/named_tables.h"
 #include "vdamf/evaluation/truth_frames.h"
 #include "vdamf/files/output_file.h"
 #include "vdamf/rawlog/annotated_rawlog.h"
@@ -121,7 +122,8 @@ std::string pageOf(const CommandLine& line, const vdamf::Annotations& annotation
                      line.input.c_str(), static_cast<unsigned long long>(summary.tablesUnused));
     warnOfTruthLeftOut(line, truth.rows, times);
     const vdamf::RunFacts facts = factsOf(line, annotations, summary);
-    return line.truth.empty() ? report.html(facts) : report.html(facts, truth);
+    if (line.truth.empty()) return report.html(facts);
+    return vdamf::namingTables(line.truth, line.input, [&] { return report.html(facts, truth); });
 }
 
 int run(const CommandLine& line)

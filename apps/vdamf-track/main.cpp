@@ -121,12 +121,19 @@ void showProgress(double share, std::uint64_t frames)
                  static_cast<unsigned long long>(frames));
 }
 
-// Where a run that ends early has left the frames done; empty: nowhere.
-std::string keptIn(const Cli& cli, std::uint64_t frames)
+// Where a run that ends early has left the frames done: "a.partial and b.partial"; empty: nowhere.
+// What is no file, as a pipe, has been read by others.
+std::string keptIn(const std::vector<std::string>& outputs, std::uint64_t frames)
 {
-    if (cli.output.empty() || frames == 0) return "";
-    const std::filesystem::path partial = vdamf::partialPathOf(cli.output);
-    return partial == cli.output ? "" : partial.string();
+    std::string all;
+    for (const std::string& output : outputs)
+    {
+        if (output.empty() || frames == 0) continue;
+        const std::filesystem::path partial = vdamf::partialPathOf(output);
+        if (partial != output && std::filesystem::exists(partial))
+            all += (all.empty() ? "" : " and ") + partial.string();
+    }
+    return all;
 }
 
 int exitCodeOf(const Cli& cli, const vdamf::TrackRawlogSummary& summary)
@@ -134,7 +141,7 @@ int exitCodeOf(const Cli& cli, const vdamf::TrackRawlogSummary& summary)
     const auto frames = static_cast<unsigned long long>(summary.frames);
     if (summary.interrupted)
     {
-        const std::string kept = keptIn(cli, summary.frames);
+        const std::string kept = keptIn({cli.output, cli.tracks, cli.nis}, summary.frames);
         std::fprintf(stderr, "interrupted: %llu frames done%s%s\n", frames,
                      kept.empty() ? "" : " are in ", kept.c_str());
         return vdamf::kFailed;
@@ -174,7 +181,7 @@ int track(const Cli& cli, const vdamf::TrackRawlogJob& job)
     }
     catch (const std::exception& error)
     {
-        const std::string kept = keptIn(cli, frames);
+        const std::string kept = keptIn({cli.output, cli.tracks}, frames);
         if (kept.empty()) throw;
         throw std::runtime_error(error.what() + ("; of the " + std::to_string(frames)) +
                                  " frames done, those written before are in " + kept);

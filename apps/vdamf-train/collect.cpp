@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "vdamf/evaluation/named_tables.h"
 #include "vdamf/learning/label.h"
 
 namespace vdamf
@@ -91,7 +92,9 @@ std::vector<TrackSamples> collectSamples(const Recording& recording, std::size_t
     const std::vector<TruthRow> truth = readTruth(recording.truth);
     Collected all = track(recording, firstTrack, forTraining(configuration, grid), stop);
     std::map<FrameKey, LabelledRow> labels;
-    for (LabelledRow& row : labelTracks(truth, all.rows, scoring))
+    std::vector<LabelledRow> rows = namingTables(
+        recording.truth, recording.rawlog, [&] { return labelTracks(truth, all.rows, scoring); });
+    for (LabelledRow& row : rows)
     {
         const FrameKey key = keyOf(firstTrack + row.track, row.time);
         labels.emplace(key, std::move(row));

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "collect.h"
+#include "vdamf/evaluation/named_tables.h"
 #include "vdamf/evaluation/sequence.h"
 #include "vdamf/learning/clusters/label_hits.h"
 #include "vdamf/learning/clusters/simulated_clusters.h"
@@ -36,7 +37,9 @@ public:
         scoring.regionFov = recording.options.regionFov;
         scoring.maxRange = recording.options.maxRange;
         scoring.minPoints = recording.options.minPoints;
-        truth_ = makeSequence(readTruth(recording.truth), {}, scoring).frames;
+        const std::vector<TruthRow> truth = readTruth(recording.truth);
+        truth_ = namingTables(recording.truth, recording.rawlog,
+                              [&] { return makeSequence(truth, {}, scoring).frames; });
         inLabel_ = {recording.name + " label", "hits in the label's box", {}};
         whole_ = {recording.name + " cluster", "whole cluster", {}};
     }

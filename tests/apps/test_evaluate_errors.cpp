@@ -168,5 +168,21 @@ TEST_F(EvaluateAppErrors, ASpanNeedsTracksInTheTruthsTime)
     EXPECT_THAT(other.output, HasSubstr("none of its frames (100.000000 to 101.900000 s)"));
 }
 
+TEST_F(EvaluateAppErrors, ErrorsOfScoringNameTheTables)
+{
+    writeTables(
+        [](TrackRow row, int /*frame*/)
+        {
+            row.time += 1000.0;
+            return std::vector<TrackRow>{std::move(row)};
+        });
+    const std::string names =
+        "truth " + at("truth.csv").string() + ", tracks " + at("tracks.csv").string() + ": ";
+    EXPECT_THAT(evaluate().output, HasSubstr(names + "no frame of the truth"));
+    EXPECT_THAT(evaluate().output, Not(HasSubstr("--tracked-span"))) << "nothing beside the error";
+    make("truth.csv", truthHeader());
+    EXPECT_THAT(evaluate().output, HasSubstr(names + "the truth has no rows"));
+}
+
 }  // namespace
 }  // namespace vdamf

@@ -8,6 +8,7 @@
 
 #include "apps/track_fixture.h"
 #include "report/page_data.h"
+#include "vdamf/evaluation/tables.h"
 #include "vdamf/rawlog/annotated_rawlog.h"
 
 namespace vdamf
@@ -190,6 +191,10 @@ TEST_F(Report, SaysWhatIsWrong)
     trackStreet("--frames 0:3");
     expect(path("t.rawlog") + " -o " + path("t.rawlog"), 2, "is the input");
     expect(path("t.rawlog") + to + " --truth " + path("none.csv"), 1, "none.csv");
+    make("head.csv", truthHeader());
+    expect(
+        path("t.rawlog") + to + " --truth " + path("head.csv"), 1,
+        "truth " + path("head.csv") + ", tracks " + path("t.rawlog") + ": the truth has no rows");
     make("r.html", "precious");
     expect(path("t.rawlog") + to, 1, "--overwrite");
     EXPECT_EQ(contentOf("r.html"), "precious");

@@ -159,8 +159,10 @@ TEST_F(TrackErrors, InterruptedRunLeavesAReadablePart)
         const std::string app = std::string(VDAMF_APPS_DIR) + "/vdamf-track";
         const std::string output = path("a.rawlog");
         ::freopen("/dev/null", "w", stdout);
-        ::freopen("/dev/null", "w", stderr);
-        ::execl(app.c_str(), app.c_str(), "-i", kStreet.c_str(), "-o", output.c_str(), nullptr);
+        ::freopen(path("said.txt").c_str(), "w", stderr);
+        const std::string table = path("t.csv");
+        ::execl(app.c_str(), app.c_str(), "-i", kStreet.c_str(), "-o", output.c_str(), "--tracks",
+                table.c_str(), nullptr);
         ::_exit(127);
     }
     for (int k = 0; k < 500 && !fs::exists(at("a.rawlog.partial")); ++k)
@@ -176,6 +178,8 @@ TEST_F(TrackErrors, InterruptedRunLeavesAReadablePart)
     const Contents log(at("a.rawlog.partial"));
     EXPECT_FALSE(log.truncated);
     EXPECT_GT(log.entries.size(), 2U);
+    EXPECT_THAT(contentOf("said.txt"), HasSubstr(" frames done are in " + path("a.rawlog.partial") +
+                                                 " and " + path("t.csv.partial")));
 }
 
 }  // namespace

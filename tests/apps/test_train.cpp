@@ -245,5 +245,18 @@ TEST_F(Train, WhatCannotBeReadOrWrittenIsToldBeforeTheWork)
     EXPECT_THAT(errorOf("", " --plots plots"), HasSubstr("roc.svg: exists already"));
     EXPECT_EQ(std::distance(fs::directory_iterator(at("plots")), {}), 1);
 }
+
+TEST_F(Train, TruthOfOtherTimesIsNamedWithItsRawlog)
+{
+    std::string truth = readTextFile(kStreetFolder + "truth.csv");
+    for (std::size_t at = 0; (at = truth.find("\n17000", at)) != std::string::npos; ++at)
+        truth.replace(at, 6, "\n16000");
+    make("shifted.csv", truth);
+    make("list.ini",
+         "[recording other]\nrawlog = " + kStreetFolder + "street.rawlog\ntruth = shifted.csv\n");
+    EXPECT_EQ(run("vdamf-train", "classifier list.ini -o m.txt -q"), 1) << output_;
+    EXPECT_THAT(output_, HasSubstr("recording other: truth shifted.csv, tracks " + kStreetFolder +
+                                   "street.rawlog: no frame of the truth"));
+}
 }  // namespace
 }  // namespace vdamf
