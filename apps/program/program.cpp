@@ -4,6 +4,7 @@
 #include <signal.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <exception>
 #include <stdexcept>
@@ -37,6 +38,34 @@ void declareCommon(CLI::App& app, const Program& program)
         [name = program.name](const CLI::App*, const CLI::Error& error)
         { return name + ": " + error.what() + "\nRun with --help for more information.\n"; });
 }
+// An empty value is one that was lost, as of a variable of a script that is not set.
+[[noreturn]] void failEmpty(const std::string& option)
+{
+    throw CLI::ValidationError(option, "its value is empty; name one, or leave the option out");
+}
+
+// Of "--option=" the parser takes the next argument for the value.
+void checkArguments(int argc, const char* const* argv)
+{
+    for (int i = 1; i < argc; ++i)
+    {
+        const std::string text = argv[i];
+        const bool isOption = text.rfind("--", 0) == 0 && text.size() > 3;
+        if (isOption && text.find('=') == text.size() - 1)
+            failEmpty(text.substr(0, text.size() - 1));
+    }
+}
+
+void checkValues(const CLI::App& app)
+{
+    for (const CLI::Option* option : app.get_options())
+    {
+        const std::vector<std::string>& values = option->results();
+        if (std::find(values.begin(), values.end(), "") != values.end())
+            failEmpty(option->get_name());
+    }
+    for (const CLI::App* command : app.get_subcommands()) checkValues(*command);
+}
 }  // namespace
 
 int runProgram(int argc, const char* const* argv, const Program& program)
@@ -46,7 +75,9 @@ int runProgram(int argc, const char* const* argv, const Program& program)
     {
         declareCommon(app, program);
         program.declare(app);
+        checkArguments(argc, argv);
         app.parse(argc, argv);
+        checkValues(app);
         if (program.prepare) program.prepare();
     }
     catch (const CLI::ParseError& error)

@@ -25,7 +25,8 @@ struct Program
 };
 
 /// Parses, prepares and works; the exit code. What is thrown becomes a line on the standard error
-/// that begins with the program's name. A bare Program has `--help` and `--version`.
+/// that begins with the program's name. A bare Program has `--help` and `--version`. An option
+/// whose value is empty is bad use.
 int runProgram(int argc, const char* const* argv, const Program& program);
 
 /// From now on SIGINT and SIGTERM set the flag that is returned, and interrupt what waits for a

@@ -182,5 +182,25 @@ TEST_F(TrackErrors, InterruptedRunLeavesAReadablePart)
                                                  " and " + path("t.csv.partial")));
 }
 
+TEST_F(TrackErrors, AnEmptyValueIsBadUseInEveryProgram)
+{
+    const auto expect =
+        [](const std::string& app, const std::string& arguments, const std::string& option)
+    {
+        const Outcome run = runApp(app, arguments);
+        EXPECT_EQ(run.exitCode, 2) << app << ": " << run.output;
+        EXPECT_THAT(run.output, HasSubstr(app + ": " + option + ": its value is empty"));
+    };
+    const std::string input = "-i " + kStreet + " --frames 0:3 ";
+    expect("vdamf-track", input + "-c '' --tracks " + path("t.csv"), "--config");
+    expect("vdamf-track", input + "-o '' --tracks " + path("t.csv"), "--output");
+    expect("vdamf-track", input + "--tracks= -q", "--tracks");
+    expect("vdamf-track", input + "--set '' --tracks " + path("t.csv"), "--set");
+    expect("vdamf-report", "'' -o " + path("r.html"), "input");
+    expect("vdamf-evaluate", "--tracks a.csv --truth b.csv --json ''", "--json");
+    expect("vdamf-train", "classifier list.ini -o x -c ''", "--config");
+    EXPECT_EQ(filesInFolder(), 0U);
+}
+
 }  // namespace
 }  // namespace vdamf
