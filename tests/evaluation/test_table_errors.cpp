@@ -49,6 +49,8 @@ TEST_F(TableErrors, TracksErrorsNameTheCell)
     EXPECT_THAT(with(",1.8000,", ",1800,"), HasSubstr("column 'width_m': expected a number above"));
     EXPECT_THAT(with(",0.0003,", ",-0.0003,"),
                 HasSubstr("column 'var_heading_rad2': a variance is not below 0, found '-0.0003'"));
+    EXPECT_THAT(with(",2.5,FL", ",-1,FL"),
+                HasSubstr("column 'nis': a square is not below 0, found '-1'"));
     EXPECT_THAT(with("truck", "lorry"), HasSubstr("column 'vehicle_type': unknown type"));
     EXPECT_THAT(with("0.750000", "1.5"), HasSubstr("column 'type_probability'"));
     EXPECT_THAT(tracksError("time_s\n1\n"), HasSubstr("the column 'track_id' is missing"));

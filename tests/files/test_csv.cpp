@@ -100,5 +100,29 @@ TEST_F(CsvTest, CallersErrorsNameTheRow)
               at("t.csv").string() + ":2: column 'x_m': must be positive");
 }
 
+TEST_F(CsvTest, TakesCellsInQuotes)
+{
+    CsvReader reader(make("t.csv",
+                          "\"x_m\",\"n\", \"more\" ,name\r\n"
+                          "\"1.5\", \"3\" ,\"said \"\"a, b\"\"\",\"car\"\r\n"
+                          "2,\"4\",\"\",\n"),
+                     {"x_m", "n", "name"});
+    ASSERT_TRUE(reader.next());
+    EXPECT_EQ(reader.number("x_m"), 1.5);
+    EXPECT_EQ(reader.integer("n"), 3);
+    EXPECT_EQ(reader.text("name"), "car");
+    // Names go from table to table, where they must stay one cell.
+    EXPECT_THAT(errorOf([&] { reader.text("more"); }),
+                HasSubstr("t.csv:2: column 'more': a comma or a quote inside of a cell"));
+    ASSERT_TRUE(reader.next());
+    EXPECT_EQ(reader.integer("n"), 4);
+    EXPECT_EQ(reader.text("more"), "");
+    EXPECT_EQ(reader.text("name"), "");
+    EXPECT_FALSE(reader.next());
+    EXPECT_THAT(errorFor("x_m,n\n\"1,2\n"), HasSubstr("t.csv:2: a cell in quotes does not end"));
+    EXPECT_THAT(errorFor("x_m,n\n\"1\"5,2\n"), HasSubstr("something stands behind its quotes"));
+    EXPECT_THAT(errorFor("x_m,n\n\"\",2\n"), EndsWith("found ''"));
+}
+
 }  // namespace
 }  // namespace vdamf

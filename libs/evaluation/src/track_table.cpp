@@ -190,6 +190,8 @@ TrackReport reportOf(const CsvReader& reader)
     report.points = static_cast<int>(countOf(reader, "points", std::numeric_limits<int>::max()));
     report.match = reader.number("match");
     report.nis = reader.optionalNumber("nis");
+    if (report.nis.value_or(0.0) < 0.0)
+        reader.fail("nis", "a square is not below 0, found '" + reader.text("nis") + "'");
     report.facesSeen = facesOf(reader);
     report.covariance = covarianceOf(reader);
     report.lengthVariance = varianceIn(reader, "var_length_m2");

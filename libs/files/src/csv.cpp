@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vdamf/files/csv.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <fstream>
 #include <functional>
@@ -17,15 +18,50 @@ namespace
 {
 constexpr std::size_t kLongestLine = 64 << 10;
 
-std::vector<std::string> cellsOf(std::string_view line)
+/// Takes a cell in quotes, of which two stand for one, from the front; nothing where they stay open
+/// or something but a comma stands behind them.
+std::optional<std::string> takeQuoted(std::string_view& line)
+{
+    std::string cell;
+    for (std::size_t i = 1; i < line.size(); ++i)
+    {
+        const bool isQuote = line[i] == '"';
+        const bool isDoubled = isQuote && i + 1 < line.size() && line[i + 1] == '"';
+        if (isQuote && !isDoubled)
+        {
+            const std::size_t comma = std::min(line.find(',', i), line.size());
+            if (!trimmed(line.substr(i + 1, comma - i - 1)).empty()) return std::nullopt;
+            line.remove_prefix(comma);
+            return std::string(trimmed(cell));
+        }
+        cell += line[i];
+        i += isDoubled ? 1 : 0;
+    }
+    return std::nullopt;
+}
+
+std::string takePlain(std::string_view& line)
+{
+    const std::size_t comma = std::min(line.find(','), line.size());
+    const std::string cell(trimmed(line.substr(0, comma)));
+    line.remove_prefix(comma);
+    return cell;
+}
+
+/// Nothing where quotes are wrong.
+std::optional<std::vector<std::string>> cellsOf(std::string_view line)
 {
     std::vector<std::string> cells;
     for (;;)
     {
-        const std::size_t comma = line.find(',');
-        cells.emplace_back(trimmed(line.substr(0, comma)));
-        if (comma == std::string_view::npos) return cells;
-        line.remove_prefix(comma + 1);
+        const std::size_t begin = line.find_first_not_of(" \t");
+        const bool isQuoted = begin != std::string_view::npos && line[begin] == '"';
+        if (isQuoted) line.remove_prefix(begin);
+        std::optional<std::string> cell = isQuoted ? takeQuoted(line) : takePlain(line);
+        if (!cell) return std::nullopt;
+        cells.push_back(std::move(*cell));
+        if (line.empty()) return cells;
+        line.remove_prefix(1);
     }
 }
 }  // namespace
@@ -61,6 +97,16 @@ struct CsvReader::State
         return std::string_view(buffer.data(), file.eof() ? count : count - 1);
     }
 
+    std::vector<std::string> checkedCells(std::string_view row) const
+    {
+        std::optional<std::vector<std::string>> found = cellsOf(row);
+        if (!found)
+            fail(
+                "a cell in quotes does not end in this line, or something stands behind its "
+                "quotes");
+        return std::move(*found);
+    }
+
     std::size_t indexOf(std::string_view column) const
     {
         const auto found = columns.find(column);
@@ -79,7 +125,7 @@ struct CsvReader::State
             fail(std::string(header ? "the first line is empty" : "the file is empty") +
                  "; expected a header line with the column names");
         }
-        const std::vector<std::string> names = cellsOf(*header);
+        const std::vector<std::string> names = checkedCells(*header);
         for (std::size_t i = 0; i < names.size(); ++i)
         {
             if (!columns.emplace(names[i], i).second)
@@ -123,7 +169,7 @@ bool CsvReader::next()
     while (const std::optional<std::string_view> row = state_->nextLine())
     {
         if (trimmed(*row).empty()) continue;
-        state_->cells = cellsOf(*row);
+        state_->cells = state_->checkedCells(*row);
         if (state_->cells.size() == state_->columns.size()) return true;
         state_->fail("expected " + std::to_string(state_->columns.size()) +
                      " cells as in the header, found " + std::to_string(state_->cells.size()));
@@ -143,7 +189,9 @@ bool CsvReader::hasColumn(std::string_view column) const
 
 const std::string& CsvReader::text(std::string_view column) const
 {
-    return state_->cells.at(state_->indexOf(column));
+    const std::string& cell = state_->cells.at(state_->indexOf(column));
+    if (cell.find_first_of(",\"") == std::string::npos) return cell;
+    fail(column, "a comma or a quote inside of a cell is not taken, found " + inQuotes(cell));
 }
 
 double CsvReader::number(std::string_view column) const

@@ -14,8 +14,9 @@
 
 namespace vdamf
 {
-/// Reads a table row by row in constant memory. Cells are separated by commas, without quotes;
-/// blanks around them do not count. Every error is a std::runtime_error that names file, line and
+/// Reads a table row by row in constant memory. Cells are separated by commas; they may
+/// stand in quotes, but hold no comma, quote or line's end where they are asked for. Blanks around
+/// them do not count. Every error is a std::runtime_error that names file, line and
 /// column: a missing or doubled column, a bad number, a row of another length, an empty file.
 class CsvReader
 {
