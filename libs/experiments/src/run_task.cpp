@@ -6,14 +6,16 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <numeric>
 #include <stdexcept>
 
 #include "vdamf/evaluation/evaluation_json.h"
+#include "vdamf/evaluation/named_tables.h"
+#include "vdamf/evaluation/truth_frames.h"
 #include "vdamf/experiments/digest.h"
 #include "vdamf/files/folder.h"
-#include "vdamf/files/numbers.h"
 #include "vdamf/files/text_file.h"
 
 namespace vdamf
@@ -56,29 +58,28 @@ TrackRawlogSummary track(const RunTask& task, const fs::path& taskFolder, const 
 }
 
 // The truth of the range asked for: what lies before or behind it was not to be found.
-std::vector<TruthRow> truthInRange(const RunTask& task, const TrackRawlogSummary& summary)
+std::vector<TruthRow> truthInRange(const std::vector<TruthRow>& all, const RunTask& task,
+                                   const TrackRawlogSummary& summary)
 {
-    std::vector<TruthRow> truth = readTruth(task.truth);
-    if (summary.frames == 0) return truth;
-    const double tolerance = task.score.scoring.timeTolerance;
-    const auto isOutside = [&](const TruthRow& row)
-    {
-        return (task.frames.first > 0 && row.time < summary.firstTime - tolerance) ||
-               (task.frames.last > 0 && row.time > summary.lastTime + tolerance);
-    };
-    truth.erase(std::remove_if(truth.begin(), truth.end(), isOutside), truth.end());
-    if (truth.empty())
-        throw std::runtime_error(task.truth + ": has no object in the range that was tracked (" +
-                                 toFixedText(summary.firstTime, 6) + " to " +
-                                 toFixedText(summary.lastTime, 6) + " s)");
+    if (summary.frames == 0) return all;
+    constexpr double kEver = std::numeric_limits<double>::infinity();
+    const TimeSpan tracked{task.frames.first > 0 ? summary.firstTime : -kEver,
+                           task.frames.last > 0 ? summary.lastTime : kEver};
+    const std::vector<TruthRow> truth = truthWithin(all, tracked, task.score.scoring.timeTolerance);
+    if (truth.empty() && !all.empty())
+        throw std::runtime_error("no object is in the range that was tracked (" +
+                                 inWords(TimeSpan{summary.firstTime, summary.lastTime}) + ")");
     return truth;
 }
 
 void score(const RunTask& task, const TrackRawlogSummary& summary, const fs::path& folder)
 {
-    const Evaluation evaluation = evaluate(truthInRange(task, summary),
-                                           readTracks(folder / "tracks.csv"), task.score.options());
-    writeTextFile(folder / "metrics.json", toJson(evaluation));
+    const std::vector<TruthRow> truth = readTruth(task.truth);
+    const std::vector<TrackRow> tracks = readTracks(folder / "tracks.csv");
+    const auto evaluated = [&]
+    { return evaluate(truthInRange(truth, task, summary), tracks, task.score.options()); };
+    writeTextFile(folder / "metrics.json",
+                  toJson(namingTables(task.truth, task.rawlog, evaluated)));
 }
 
 std::string timesJson(const TrackRawlogSummary& summary, double seconds)
