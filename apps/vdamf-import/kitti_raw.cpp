@@ -55,6 +55,9 @@ private:
         std::FILE* const to = summaryStream({truth_});
         std::fprintf(to, "%s\n", rawlog_.string().c_str());
         std::fprintf(to, "  frames      %zu (%.1f s)\n", summary.scans, summary.seconds);
+        if (summary.missingScans > 0)
+            std::fprintf(to, "  left out    %zu scans: they have a time, but no file\n",
+                         summary.missingScans);
         std::fprintf(to, "  points      %zu (%.0f a frame)\n", summary.points,
                      static_cast<double>(summary.points) / static_cast<double>(summary.scans));
         std::fprintf(to, "  poses       %zu\n", summary.poses);

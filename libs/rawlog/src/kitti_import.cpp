@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vdamf/rawlog/kitti_import.h"
 
+#include <algorithm>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -49,6 +50,9 @@ public:
         poses_ = kittiPoses(drive_.oxts);
         if (job.truth) takeLabels(trackletsOf(drive_));
         summary_.poses = poses_.size();
+        summary_.missingScans = static_cast<std::size_t>(
+            std::count_if(drive_.scans.begin(), drive_.scans.end(),
+                          [](const KittiFile& scan) { return !scan.isThere; }));
         summary_.seconds = mrpt::Clock::toDouble(drive_.scans.back().time) -
                            mrpt::Clock::toDouble(drive_.scans.front().time);
     }
@@ -57,9 +61,8 @@ public:
     {
         for (std::size_t frame = 0; frame < drive_.scans.size(); ++frame)
         {
-            writeFrame(frame);
-            summary_.scans = frame + 1;
-            summary_.stopped = job_.progress && !job_.progress(summary_.scans, drive_.scans.size());
+            if (drive_.scans[frame].isThere) writeFrame(frame);
+            summary_.stopped = job_.progress && !job_.progress(frame + 1, drive_.scans.size());
             if (summary_.stopped) return summary_;
         }
         writePosesUpTo(mrpt::Clock::time_point::max());
@@ -80,10 +83,13 @@ private:
         }
         labels_ = kittiLabels(drive_, tracklets, trajectory);
         summary_.objects = tracklets.size();
-        summary_.labels = labels_.size();
         std::size_t all = 0;
         for (const KittiTracklet& tracklet : tracklets) all += tracklet.poses.size();
         summary_.labelsWithoutPose = all - labels_.size();
+        const auto hasNoScan = [this](const KittiLabel& label)
+        { return !drive_.scans[label.frame].isThere; };
+        labels_.erase(std::remove_if(labels_.begin(), labels_.end(), hasNoScan), labels_.end());
+        summary_.labels = labels_.size();
     }
 
     void writePosesUpTo(mrpt::Clock::time_point time)
@@ -101,6 +107,7 @@ private:
         const PointCloud scan = readKittiScan(file.path);
         writePosesUpTo(file.time);
         rawlog_.write(scanObservation(scan, drive_.velodyneInVehicle, file.time));
+        ++summary_.scans;
         summary_.points += scan.size();
         for (; nextLabel_ < labels_.size() && labels_[nextLabel_].frame == frame; ++nextLabel_)
         {

@@ -31,6 +31,7 @@ struct KittiFile
 {
     std::filesystem::path path;
     mrpt::Clock::time_point time;
+    bool isThere = true;
 };
 
 /// A synchronised drive without its points and labels. The vehicle frame is that of the INS: x
@@ -39,13 +40,14 @@ struct KittiDrive
 {
     std::filesystem::path folder;
     std::vector<KittiOxts> oxts;   ///< by rising time
-    std::vector<KittiFile> scans;  ///< by rising time
+    std::vector<KittiFile> scans;  ///< by rising time; a few may be missing
     Eigen::Isometry3d velodyneInVehicle = Eigen::Isometry3d::Identity();
 };
 
 /// Reads `folder` (named like 2011_09_26_drive_0001_sync). Calibration is looked for beside and
-/// in it. Throws std::runtime_error that names the file, and the line, for a missing file, a bad
-/// number, and for numbers of scans, samples and time stamps that do not agree.
+/// in it. Throws std::runtime_error that names the file, and the line, for a missing file (up to a
+/// tenth of the scans may be missing, as of drive 0009 of 2011_09_26), a bad number, and for
+/// numbers of scans, samples and time stamps that do not agree.
 KittiDrive readKittiDrive(const std::filesystem::path& folder);
 
 /// The points of one scan in the velodyne's frame, with intensity as in the file. Throws

@@ -25,6 +25,7 @@ struct KittiImport
 struct KittiImportSummary
 {
     std::size_t scans = 0;
+    std::size_t missingScans = 0;  ///< left out with their labels: they have no file
     std::size_t poses = 0;
     double seconds = 0.0;  ///< from the first to the last scan
     std::size_t points = 0;
