@@ -103,6 +103,10 @@ const std::atomic<bool>& catchSignals()
     struct sigaction action = {};
     action.sa_handler = onSignal;
     for (const int signal : {SIGINT, SIGTERM}) sigaction(signal, &action, nullptr);
+    // A closed terminal ends what nobody has started with nohup.
+    struct sigaction before = {};
+    sigaction(SIGHUP, nullptr, &before);
+    if (before.sa_handler != SIG_IGN) sigaction(SIGHUP, &action, nullptr);
     return interrupted;
 }
 

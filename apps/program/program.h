@@ -29,8 +29,8 @@ struct Program
 /// whose value is empty is bad use.
 int runProgram(int argc, const char* const* argv, const Program& program);
 
-/// From now on SIGINT and SIGTERM set the flag that is returned, and interrupt what waits for a
-/// pipe.
+/// From now on SIGINT, SIGTERM and, unless it is ignored, SIGHUP set the flag that is returned, and
+/// interrupt what waits for a pipe.
 const std::atomic<bool>& catchSignals();
 bool isInterrupted();
 

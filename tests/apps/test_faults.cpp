@@ -3,6 +3,8 @@
 // finished is lost.
 #include <sys/mount.h>
 
+#include <csignal>
+
 #include "apps/faults_fixture.h"
 
 namespace vdamf
@@ -95,7 +97,8 @@ TEST_F(Faults, APipeThatEndsEarlyIsATruncatedInput)
 TEST_F(Faults, SignalsEndARunThatWaitsForAPipe)
 {
     const std::string whole = street();
-    for (const int signal : {SIGINT, SIGTERM})
+    std::signal(SIGHUP, SIG_DFL);  // programs leave it ignored where it is
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP})
     {
         makePipe("pipe");
         std::vector<std::string> arguments = job(path("pipe"));

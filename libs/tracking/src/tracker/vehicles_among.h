@@ -13,7 +13,7 @@
 namespace vdamf
 {
 /// The boxes of those pieces of a cluster (convex_pieces.h) that the discriminator is sure to be
-/// vehicles, and that are no larger than cars.
+/// vehicles, and that are no higher than cars.
 std::vector<PredictedTarget> vehiclesAmong(std::vector<Cluster> pieces, const SegmentedFrame& frame,
                                            const Neighbourhood& around,
                                            const Discriminator& discriminator,

@@ -19,7 +19,8 @@ struct SharedCluster
 };
 
 /// Clusters that one target alone does not explain: a tenth of their hits, and five at least, are
-/// on the surface of another target and not on that of the first, and as many the other way round.
+/// on the surface of another target and not on that of the first, and as many the other way round
+/// (of vehicles for sure half of the hits that they had before are enough).
 /// Targets count whose place is known well and whose boxes do not overlap, those of vehicles for
 /// sure not by more than 0.3 m, so that two tracks on one vehicle do not share it.
 std::vector<SharedCluster> sharedClusters(const std::vector<PredictedTarget>& targets,
