@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 #include <set>
 #include <stdexcept>
 
@@ -179,6 +180,9 @@ TEST(Tracker, RefusesTimeThatGoesBackAndBadOptions)
     bad.measurement.sigma = 99.0;
     EXPECT_EQ(bad.problems().size(), 2U);
     EXPECT_THROW(Tracker{bad}, std::invalid_argument);
+    TrackerOptions empty;
+    empty.discriminator.loaded = std::make_shared<const DiscriminatorModel>();
+    EXPECT_THROW(Tracker{empty}, std::invalid_argument) << "a model without weights";
 }
 
 TEST(Tracker, RefusesPointsThatCannotBeMeant)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vdamf/tracking/tracker/tracker.h"
 
+#include "vdamf/tracking/discrimination/features.h"
+
 namespace vdamf
 {
 std::vector<std::string> TrackerOptions::problems() const
@@ -20,6 +22,11 @@ std::vector<std::string> TrackerOptions::problems() const
     add("lifecycle", problemsOf(lifecycle));
     add("tracker", problemsOf(execution));
     add("discriminator", problemsOf(discriminator));
+    const DiscriminatorModel* const model = discriminator.loaded.get();
+    if (model != nullptr && model->weights.size() != featureCount(model->grid))
+        add("discriminator",
+            {"the loaded model has " + std::to_string(model->weights.size()) + " weights for " +
+             std::to_string(featureCount(model->grid)) + " features"});
     return all;
 }
 
