@@ -39,7 +39,7 @@ struct LifecycleOptions
     {
         field(self.minHits, "min_hits", 3, 1000, "least hits of a cluster that starts a track");
         field(self.minHeight, "min_height_m", 0.0, 3.0,
-              "least height of a cluster that starts a track");
+              "least height of a cluster that starts a track, where heights are known");
         field(self.maxExtent, "max_extent_m", 3.0, 60.0,
               "largest diagonal of a cluster that starts a track");
         field(self.confirmHits, "confirm_hits", 1, 50,
