@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vdamf/rawlog/world_frame.h"
 
+#include <cmath>
+
 #include "scan_path.h"
 
 namespace vdamf
@@ -19,7 +21,7 @@ LadarFrame emptyFrame(const Scan& scan, const VehiclePose& pose)
     frame.points.intensity = scan.points.intensity;
     frame.points.time = scan.points.time;
     for (float& time : frame.points.time)
-        if (!ScanPath::isPlausible(time)) time = 0.0F;
+        if (std::isfinite(time) && !ScanPath::isPlausible(time)) time = 0.0F;
     for (auto* values : {&frame.points.x, &frame.points.y, &frame.points.z})
         values->resize(scan.points.size());
     return frame;

@@ -10,12 +10,12 @@ namespace vdamf
 {
 namespace
 {
-// None is no number either.
+// Hits at times that are not finite are dropped later on.
 bool haveSenseAsTimes(const std::vector<float>& times)
 {
     constexpr float kLongestScan = 10.0F;  // s to either side of the frame's time
     bool have = true;
-    for (const float time : times) have &= std::abs(time) <= kLongestScan;
+    for (const float time : times) have &= !(std::abs(time) > kLongestScan) || std::isinf(time);
     return have;
 }
 
@@ -41,10 +41,10 @@ void refuseBad(const LadarFrame& frame, const std::optional<double>& before)
             "times of the points of a frame must be seconds, within 10 s of the frame's own");
 }
 
-void refuseBad(const TrackerOptions& options)
+const TrackerOptions& checked(const TrackerOptions& options)
 {
     const std::vector<std::string> problems = options.problems();
-    if (problems.empty()) return;
+    if (problems.empty()) return options;
     std::string text = "bad tracker options:";
     for (const std::string& p : problems) text += "\n  " + p;
     throw std::invalid_argument(text);

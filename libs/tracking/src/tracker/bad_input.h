@@ -13,7 +13,7 @@ namespace vdamf
 /// numbers cannot be meant.
 void refuseBad(const LadarFrame& frame, const std::optional<double>& before);
 
-/// Throws std::invalid_argument that lists what is wrong with options.
-void refuseBad(const TrackerOptions& options);
+/// The options. Throws std::invalid_argument that lists what is wrong with them.
+const TrackerOptions& checked(const TrackerOptions& options);
 
 }  // namespace vdamf

@@ -15,12 +15,12 @@ namespace
 {
 constexpr double kAtSeam = 0.002;    // s, from the begin or the end of a revolution
 constexpr double kAcrossSeam = 0.3;  // rad, between what is hit at both ends of one
-constexpr double kSeamMotion = 4.5;  // m, along the line of sight, of a fast target in a revolution
+constexpr double kSeamMotion = 4.5;  // m, of a fast target in a revolution
 
 bool mayStart(const SegmentedFrame& frame, std::size_t i, const LifecycleOptions& options)
 {
     return frame.hits[i].totalWeight >= options.minHits &&
-           (frame.planar || heightOf(frame.clusters[i]) >= options.minHeight);
+           isHighEnough(frame.clusters[i], frame.planar, options);
 }
 
 // When a hit was taken, s after the frame's time, and where, from the sensor.
@@ -59,7 +59,7 @@ double rangeOf(const SegmentedFrame& frame, std::size_t i)
     return (middleOf(frame.hits[i]) - frame.sensor).norm();
 }
 
-// A cluster that ends at the seam, and its last hit there.
+// A cluster that ends at the seam, and its hit next to it.
 struct SeamEnd
 {
     std::size_t cluster;
@@ -88,10 +88,13 @@ Seam seamOf(const SegmentedFrame& frame, const std::vector<std::size_t>& free)
     return seam;
 }
 
-// Sensors that do not turn all around end their scans elsewhere than they begin them.
+// But for the motion between both: sensors that do not turn all around end their scans elsewhere
+// than they begin them.
 bool areAtOneBearing(const SeamEnd& a, const SeamEnd& b)
 {
-    return a.at.dot(b.at) > std::cos(kAcrossSeam) * a.at.norm() * b.at.norm();
+    const double cross = a.at.x() * b.at.y() - a.at.y() * b.at.x();
+    const double range = std::max(1.0, std::min(a.at.norm(), b.at.norm()));
+    return std::abs(std::atan2(cross, a.at.dot(b.at))) < kAcrossSeam + kSeamMotion / range;
 }
 
 constexpr std::size_t kNoOther = static_cast<std::size_t>(-1);
@@ -160,6 +163,11 @@ std::optional<Sighting> firstSighting(const SegmentedFrame& frame, const Start& 
         options);
 }
 }  // namespace
+
+bool isHighEnough(const Cluster& cluster, bool isPlanar, const LifecycleOptions& options)
+{
+    return isPlanar || heightOf(cluster) >= options.minHeight;
+}
 
 Sighting withLikelierAxes(Sighting sighting, const Neighbourhood& around,
                           const TrackerOptions& options)

@@ -18,6 +18,9 @@ std::vector<Sighting> newSightings(const SegmentedFrame& frame, const std::vecto
                                    const Neighbourhood& around, const TrackerOptions& options,
                                    WorkerPool& workers);
 
+/// Whether a cluster is high enough to start a track; level scanners do not tell heights.
+bool isHighEnough(const Cluster& cluster, bool isPlanar, const LifecycleOptions& options);
+
 /// With length and width exchanged where the sizes seen and the vehicles around say so, and front
 /// and rear where the shape does.
 Sighting withLikelierAxes(Sighting sighting, const Neighbourhood& around,

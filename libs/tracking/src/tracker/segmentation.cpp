@@ -2,6 +2,7 @@
 #include "tracker/segmentation.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -18,11 +19,11 @@ SegmentedFrame segmentedFrame(const LadarFrame& frame, const AboveGround& above,
     s.sensorZ = frame.sensor.z() - frame.origin.z();
     s.points = frame.points.size();
     s.planar = frame.planar;
-    const std::vector<float>& times = frame.points.time;
-    if (!times.empty())
+    for (const float time : frame.points.time)
     {
-        s.firstTime = *std::min_element(times.begin(), times.end());
-        s.lastTime = *std::max_element(times.begin(), times.end());
+        if (!std::isfinite(time)) continue;
+        s.firstTime = std::min(s.firstTime, time);
+        s.lastTime = std::max(s.lastTime, time);
     }
     s.pointsAboveGround = above.index.size();
     s.profile = rangeProfile(frame, above);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -24,8 +25,8 @@ struct SegmentedFrame
     std::size_t points = 0;
     std::size_t pointsAboveGround = 0;
     bool planar = false;
-    float firstTime = 0.0F;  ///< of all points, s after the frame's time
-    float lastTime = 0.0F;   ///< the same; equal where they have no times
+    float firstTime = std::numeric_limits<float>::infinity();  ///< of all points, s after `time`
+    float lastTime = -std::numeric_limits<float>::infinity();  ///< of all points, s after `time`
     RangeProfile profile;
     std::vector<Cluster> clusters;
     Cluster loose;                ///< hits in no cluster

@@ -31,7 +31,7 @@ class Tracker::Impl
 {
 public:
     explicit Impl(const TrackerOptions& options)
-        : options_(options),
+        : options_(checked(options)),
           workers_(options.execution.threads),
           discriminator_(options.discriminator),
           typeFilters_(options.measurement),
@@ -51,6 +51,7 @@ public:
         catch (...)
         {
             tracks_.clear();  // any of them may be half of what it was
+            outOfSight_ = OutOfSight(options_.lifecycle.maxCoast);
             throw;
         }
     }
@@ -243,8 +244,8 @@ private:
 
     TrackReport reportAt(const Eigen::Vector3d& origin, const Track& track) const
     {
-        const TrackReport report =
-            reportOf(track, discriminator_.extentOf(track), options_.visibility, origin);
+        const OrientedBox extent = discriminator_.extentOf(track);
+        const TrackReport report = reportOf(track, extent, options_.visibility, origin);
         return alignment_.aligned(discriminator_.withProbability(report, track), origin.head<2>());
     }
 
@@ -278,11 +279,7 @@ private:
     Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();  // of the last frame
 };
 
-Tracker::Tracker(const TrackerOptions& options)
-{
-    refuseBad(options);
-    impl_ = std::make_unique<Impl>(options);
-}
+Tracker::Tracker(const TrackerOptions& options) : impl_(std::make_unique<Impl>(options)) {}
 Tracker::~Tracker() = default;
 Tracker::Tracker(Tracker&&) noexcept = default;
 Tracker& Tracker::operator=(Tracker&&) noexcept = default;

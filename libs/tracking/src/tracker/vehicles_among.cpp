@@ -16,11 +16,10 @@ constexpr double kSigma = 0.1;  // m, of the place of a box just measured
 // Most pieces are a hedge's; a vehicle among them is measured again, as itself.
 constexpr SearchEffort kEffort{0.0, true};
 
-bool mayBeCar(const Cluster& piece, const LifecycleOptions& options)
+bool mayBeCar(const Cluster& piece, bool isPlanar, const LifecycleOptions& options)
 {
-    const double height = heightOf(piece);
     return piece.size() >= static_cast<std::size_t>(options.minHits) &&
-           height >= options.minHeight && height < kLowestTruck;
+           isHighEnough(piece, isPlanar, options) && heightOf(piece) < kLowestTruck;
 }
 
 // `piece`: a frame of it alone.
@@ -63,7 +62,7 @@ std::vector<PredictedTarget> vehiclesAmong(std::vector<Cluster> pieces, const Se
     alone.profile = frame.profile;
     for (Cluster& piece : pieces)
     {
-        if (!mayBeCar(piece, options.lifecycle)) continue;
+        if (!mayBeCar(piece, frame.planar, options.lifecycle)) continue;
         alone.hits = {projected(piece, options.measurement.mergeCell, frame.planar)};
         alone.clusters = {std::move(piece)};
         if (const auto vehicle = vehicleIn(alone, around, discriminator, options))

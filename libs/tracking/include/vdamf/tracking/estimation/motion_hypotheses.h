@@ -30,7 +30,7 @@ struct MotionHypotheses
     VehicleState free;             ///< Steering::Independent
     double freeProbability = 0.0;  ///< among those that move; 0: not tracked
     bool surprised = false;        ///< the last measurement lay outside the gate of the first
-    double sinceMeasured = 0.0;    ///< or looked at, s
+    double sinceMeasured = 0.0;    ///< s; a glance counts as a measurement
 
     /// Mean and covariance of the mixture, as a state of the variable axis.
     VehicleState combined(const MotionOptions& options) const;

@@ -129,7 +129,8 @@ public:
     /// Takes the next frame. Frames come in order of time; one that is not later than its
     /// predecessor, whose time, origin or sensor is not finite, whose arrays differ in length or
     /// whose points have times beyond 10 s, throws std::invalid_argument and changes nothing. After
-    /// anything else that is thrown (by an observer, say) tracks begin anew with the next frame.
+    /// anything else that is thrown (by an observer, say) all tracks are gone, without a report of
+    /// their ends, and begin anew with the next frame.
     /// Over more than [lifecycle] max_coast_s and 2 s between frames all tracks
     /// end: the later one reports them as they were.
     FrameResult process(const LadarFrame& frame);

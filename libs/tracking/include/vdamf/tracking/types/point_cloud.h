@@ -16,7 +16,7 @@ struct PointCloud
     std::vector<float> y;          ///< m
     std::vector<float> z;          ///< m
     std::vector<float> intensity;  ///< 0..1, may be empty
-    std::vector<float> time;       ///< s relative to the scan's time stamp, may be empty
+    std::vector<float> time;  ///< s relative to the scan's time stamp, within 10 s, may be empty
 
     std::size_t size() const { return x.size(); }
     bool empty() const { return x.empty(); }
