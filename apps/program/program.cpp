@@ -38,6 +38,7 @@ void declareCommon(CLI::App& app, const Program& program)
         [name = program.name](const CLI::App*, const CLI::Error& error)
         { return name + ": " + error.what() + "\nRun with --help for more information.\n"; });
 }
+
 // An empty value is one that was lost, as of a variable of a script that is not set.
 [[noreturn]] void failEmpty(const std::string& option)
 {

@@ -14,9 +14,11 @@ namespace vdamf
 {
 int work(const std::filesystem::path& taskFolder)
 {
-    // A sweep that is killed takes its runs along; Ctrl-C is for the sweep, which ends them.
+    // A sweep that is killed takes its runs along; Ctrl-C and a closed terminal are for the sweep,
+    // which ends them.
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
     std::signal(SIGINT, SIG_IGN);
+    std::signal(SIGHUP, SIG_IGN);
     try
     {
         performTask(taskFolder,

@@ -195,7 +195,7 @@ void trainClassifier(const ClassifierJob& job, const std::atomic<bool>& stop)
     const std::vector<HeldOutFrame> tested = judge(training.model, collection.test);
     if (!tested.empty()) tellTests(job, tested);
     const std::string model = toText(training.model);
-    parseDiscriminatorModel(model, "the trained model");  // numbers that are not finite
+    parseDiscriminatorModel(model, "the trained model");  // throws where numbers are not finite
     outputs.write(job.model, model);
     std::fflush(stdout);
     if (!job.heldOut.empty())

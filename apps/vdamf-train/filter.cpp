@@ -144,7 +144,7 @@ void trainFilter(const FilterJob& job, const std::atomic<bool>& stop)
     tell("\nCross-validation", training.heldOut, isBank);
     tell("\nTest, not trained on", tested, isBank);
     const std::string filters = toText(training.bank);
-    parseFilterBank(filters, "the trained filters");  // numbers that are not finite
+    parseFilterBank(filters, "the trained filters");  // throws where numbers are not finite
     outputs.write(job.filters, filters);
     if (job.table.empty()) return;
     outputs.write(job.table, heldOutHeader() + heldOutRows("fold", training.heldOut) +

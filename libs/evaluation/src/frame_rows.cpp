@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 #include "vdamf/evaluation/truth_frames.h"
 #include "vdamf/files/numbers.h"
@@ -20,13 +21,7 @@ std::vector<double> timesOf(const std::vector<TruthRow>& truth, const std::vecto
     all.reserve(truth.size() + tracks.size());
     for (const TruthRow& row : truth) all.push_back(row.time);
     for (const TrackRow& row : tracks) all.push_back(row.time);
-    std::sort(all.begin(), all.end());
-    std::vector<double> times;
-    for (const double time : all)
-    {
-        if (times.empty() || time > times.back() + tolerance) times.push_back(time);
-    }
-    return times;
+    return frameTimes(std::move(all), tolerance);
 }
 
 /// The last frame that begins at this time or before.
@@ -103,9 +98,7 @@ void checkCommonTime(const Frames& frames, const std::vector<TruthRow>& truth,
     const auto isCommon = [](const FrameRows& frame)
     { return !frame.truth.empty() && !frame.tracks.empty(); };
     if (tracks.empty() || std::any_of(frames.begin(), frames.end(), isCommon)) return;
-    throw std::runtime_error("no frame of the truth (" + inWords(*spanOf(truth)) +
-                             ") has a time of the tracks (" + inWords(*spanOf(tracks)) +
-                             "); are both of the same recording?");
+    failNothingCommon(*spanOf(truth), *spanOf(tracks));
 }
 
 void keepLabelledSpan(Frames& frames)

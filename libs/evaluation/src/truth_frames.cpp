@@ -2,6 +2,8 @@
 #include "vdamf/evaluation/truth_frames.h"
 
 #include <algorithm>
+#include <iterator>
+#include <stdexcept>
 
 #include "vdamf/files/numbers.h"
 
@@ -19,15 +21,11 @@ std::optional<TimeSpan> spanOfRows(const std::vector<Row>& rows)
 }
 
 template <class Row>
-std::vector<double> frameTimesOfRows(const std::vector<Row>& rows, double tolerance)
+std::vector<double> timesOfRows(const std::vector<Row>& rows)
 {
-    std::vector<double> all;
-    all.reserve(rows.size());
-    for (const Row& row : rows) all.push_back(row.time);
-    std::sort(all.begin(), all.end());
     std::vector<double> times;
-    for (const double time : all)
-        if (times.empty() || time > times.back() + tolerance) times.push_back(time);
+    times.reserve(rows.size());
+    for (const Row& row : rows) times.push_back(row.time);
     return times;
 }
 
@@ -78,12 +76,28 @@ std::vector<TruthRow> truthAt(const std::vector<TruthRow>& truth, std::vector<do
 
 std::vector<double> frameTimes(const std::vector<TruthRow>& truth, double tolerance)
 {
-    return frameTimesOfRows(truth, tolerance);
+    return frameTimes(timesOfRows(truth), tolerance);
 }
 
 std::vector<double> frameTimes(const std::vector<TrackRow>& tracks, double tolerance)
 {
-    return frameTimesOfRows(tracks, tolerance);
+    return frameTimes(timesOfRows(tracks), tolerance);
+}
+
+std::vector<double> frameTimes(std::vector<double> ofRows, double tolerance)
+{
+    std::sort(ofRows.begin(), ofRows.end());
+    std::vector<double> times;
+    for (const double time : ofRows)
+        if (times.empty() || time > times.back() + tolerance) times.push_back(time);
+    return times;
+}
+
+void failNothingCommon(const TimeSpan& truth, const TimeSpan& tracks)
+{
+    throw std::runtime_error("no frame of the truth (" + inWords(truth) +
+                             ") has a time of the tracks (" + inWords(tracks) +
+                             "); are both of the same recording?");
 }
 
 }  // namespace vdamf

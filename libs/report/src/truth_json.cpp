@@ -57,9 +57,7 @@ std::vector<TruthRow> truthOf(const std::vector<RecordedFrame>& frames, const Re
     for (const RecordedFrame& frame : frames) times.push_back(frame.time);
     std::vector<TruthRow> rows = truthAt(truth.rows, times, truth.evaluation.scoring.timeTolerance);
     if (!rows.empty() || truth.rows.empty()) return rows;
-    throw std::runtime_error(
-        "no frame of the truth (" + inWords(*spanOf(truth.rows)) + ") has a time of the tracks (" +
-        inWords(TimeSpan{times.front(), times.back()}) + "); are both of the same recording?");
+    failNothingCommon(*spanOf(truth.rows), {times.front(), times.back()});
 }
 
 void append(Json& columns, std::size_t frame, const TruthRow& row, bool doesCount)

@@ -37,5 +37,9 @@ std::vector<TruthRow> truthAt(const std::vector<TruthRow>& truth, std::vector<do
 /// Times of frames, rising; rows within `tolerance` (s) of the first one of a frame belong to it.
 std::vector<double> frameTimes(const std::vector<TruthRow>& truth, double tolerance = 1e-3);
 std::vector<double> frameTimes(const std::vector<TrackRow>& tracks, double tolerance = 1e-3);
+std::vector<double> frameTimes(std::vector<double> ofRows, double tolerance = 1e-3);
+
+/// Throws std::runtime_error that says that no time of the tracks is one of the truth.
+[[noreturn]] void failNothingCommon(const TimeSpan& truth, const TimeSpan& tracks);
 
 }  // namespace vdamf
