@@ -21,10 +21,7 @@ struct Frames
 
 double timeNearest(const std::vector<double>& times, double time)
 {
-    const auto after = std::lower_bound(times.begin(), times.end(), time);
-    if (after == times.begin()) return times.front();
-    if (after == times.end()) return times.back();
-    return *after - time < time - *std::prev(after) ? *after : *std::prev(after);
+    return times[nearestTime(times, time)];
 }
 
 Frames framesBeside(const std::vector<double>& times, const std::vector<double>& others,

@@ -55,5 +55,14 @@ TEST(TruthFrames, SpansAreThoseOfTheRows)
     EXPECT_EQ(inWords(TimeSpan{1.5, 2.25}), "1.500000 to 2.250000 s");
 }
 
+TEST(TruthFrames, TheNearestTimeIsTheEarlierOfTwoAsNear)
+{
+    const std::vector<double> times{1.0, 2.0, 4.0};
+    EXPECT_EQ(nearestTime(times, 0.0), 0U);
+    EXPECT_EQ(nearestTime(times, 1.5), 0U);
+    EXPECT_EQ(nearestTime(times, 1.6), 1U);
+    EXPECT_EQ(nearestTime(times, 3.1), 2U);
+    EXPECT_EQ(nearestTime(times, 9.0), 2U);
+}
 }  // namespace
 }  // namespace vdamf

@@ -93,6 +93,15 @@ std::vector<double> frameTimes(std::vector<double> ofRows, double tolerance)
     return times;
 }
 
+std::size_t nearestTime(const std::vector<double>& times, double time)
+{
+    const auto after = std::lower_bound(times.begin(), times.end(), time);
+    if (after == times.begin()) return 0;
+    const auto before = std::prev(after);
+    const bool takeAfter = after != times.end() && *after - time < time - *before;
+    return static_cast<std::size_t>((takeAfter ? after : before) - times.begin());
+}
+
 void failNothingCommon(const TimeSpan& truth, const TimeSpan& tracks)
 {
     throw std::runtime_error("no frame of the truth (" + inWords(truth) +

@@ -22,14 +22,7 @@ public:
         for (const RecordedFrame& frame : frames) times_.push_back(frame.time);
     }
 
-    std::size_t nearest(double time) const
-    {
-        const auto after = std::lower_bound(times_.begin(), times_.end(), time);
-        if (after == times_.begin()) return 0;
-        const auto before = std::prev(after);
-        const bool takeAfter = after != times_.end() && *after - time < time - *before;
-        return static_cast<std::size_t>((takeAfter ? after : before) - times_.begin());
-    }
+    std::size_t nearest(double time) const { return nearestTime(times_, time); }
     std::optional<std::size_t> at(double time) const
     {
         const std::size_t index = nearest(time);

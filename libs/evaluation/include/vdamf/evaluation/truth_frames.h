@@ -39,6 +39,10 @@ std::vector<double> frameTimes(const std::vector<TruthRow>& truth, double tolera
 std::vector<double> frameTimes(const std::vector<TrackRow>& tracks, double tolerance = 1e-3);
 std::vector<double> frameTimes(std::vector<double> ofRows, double tolerance = 1e-3);
 
+/// Index of the one nearest to `time` (s) among rising times, of which there is one at least; of
+/// two as near the earlier one.
+std::size_t nearestTime(const std::vector<double>& times, double time);
+
 /// Throws std::runtime_error that says that no time of the tracks is one of the truth.
 [[noreturn]] void failNothingCommon(const TimeSpan& truth, const TimeSpan& tracks);
 
