@@ -58,6 +58,24 @@ public:
         std::ofstream(path, std::ios::binary) << bytes;
     }
 
+    /// The drive goes on, at 100 ms a scan, until it has so many.
+    void lengthenTo(int scans) const
+    {
+        std::string times = timestamps();
+        for (int i = kScans; i < scans; ++i)
+        {
+            const int milliseconds = 64 + 100 * (i - 1);
+            char line[64];
+            std::snprintf(line, sizeof line, "2011-09-26 13:02:%02d.%03d000000\n",
+                          26 + milliseconds / 1000, milliseconds % 1000);
+            times += line;
+            write(scanFile(i), scan(i));
+            write(oxtsFile(i), oxts(i));
+        }
+        for (const char* part : {"velodyne_points", "oxts"})
+            write(folder_ / part / "timestamps.txt", times);
+    }
+
     static std::string timestamps()
     {
         return "2011-09-26 13:02:25.963999987\n2011-09-26 13:02:26.064000000\n"

@@ -137,6 +137,18 @@ TEST_F(KittiDriveTest, NamesMissingFiles)
                 HasSubstr("calib_imu_to_velo.txt: is missing"));
 }
 
+// More than a tenth of them: not all of it was unpacked.
+TEST_F(KittiDriveTest, ManyScansMayNotBeMissing)
+{
+    const KittiExampleDrive drive(at("day"));
+    drive.lengthenTo(12);
+    std::filesystem::remove(drive.scanFile(1));
+    EXPECT_FALSE(readKittiDrive(drive.folder()).scans.at(1).isThere);
+    std::filesystem::remove(drive.scanFile(4));
+    EXPECT_THAT(errorOf([&] { readKittiDrive(drive.folder()); }),
+                HasSubstr("0000000004.bin: is missing: the folder has 10 files *.bin, "));
+}
+
 TEST_F(KittiDriveTest, NamesCountsThatDisagree)
 {
     const std::string two = KittiExampleDrive::timestamps().substr(0, 60);

@@ -248,19 +248,6 @@ TEST(VehicleKalmanFilter, ZeroTimeChangesNothing)
 }
 
 // Vehicles that follow the model with its own noise: NEES and NIS must fit their distributions.
-TEST(VehicleKalmanFilter, CalmIsNothingToWhatMovesFreely)
-{
-    VehicleKalmanFilter filter{MotionOptions{}};
-    VehicleState state;
-    state.mean << 0.0, 0.0, 0.3, 5.0, 1.0, 0.0, 4.5;
-    state.covariance = StateMatrix::Identity() * 0.1;
-    const VehicleState free = independentOf(state);
-    const VehicleState usual = filter.predict(free, 1.0);
-    const VehicleState calm = filter.predict(free, 1.0, 0.5);
-    EXPECT_EQ(calm.mean, usual.mean);
-    EXPECT_EQ(calm.covariance, usual.covariance);
-}
-
 TEST(VehicleKalmanFilter, IsConsistent)
 {
     // Bounds that the random vehicles never meet: clipping is not part of the filter's model.
