@@ -17,9 +17,9 @@ bool isAnnotation(const mrpt::obs::CObservation& observation)
     return observation.sensorLabel.rfind(kAnnotationLabel, 0) == 0;
 }
 
-bool isHead(const mrpt::obs::CObservation& observation)
+bool isHead(const mrpt::serialization::CSerializable& entry)
 {
-    const auto* comment = dynamic_cast<const mrpt::obs::CObservationComment*>(&observation);
+    const auto* comment = dynamic_cast<const mrpt::obs::CObservationComment*>(&entry);
     return comment != nullptr && comment->text.rfind(kHeadBegin, 0) == 0;
 }
 

@@ -42,8 +42,8 @@ class Reading
 public:
     void take(const mrpt::serialization::CSerializable& object)
     {
-        if (const auto* comment = dynamic_cast<const mrpt::obs::CObservationComment*>(&object))
-            takeHead(comment->text);
+        if (isHead(object))
+            takeHead(static_cast<const mrpt::obs::CObservationComment&>(object).text);
         else if (const auto* table = dynamic_cast<const mrpt::obs::CObservationRawDAQ*>(&object))
             takeTable(*table);
         else if (const auto* pose = dynamic_cast<const mrpt::obs::CObservationRobotPose*>(&object))
@@ -55,7 +55,6 @@ public:
 private:
     void takeHead(const std::string& text)
     {
-        if (text.rfind(kHeadBegin, 0) != 0) return;
         const std::size_t end = std::min(text.find("\n\n"), text.size());
         auto values = valuesOf(text.substr(0, end));
         annotations.version = values["version"];

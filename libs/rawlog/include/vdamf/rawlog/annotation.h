@@ -26,7 +26,7 @@ inline constexpr const char* kAlignmentLabel = "vdamf_tracks_alignment";
 bool isAnnotation(const mrpt::obs::CObservation& observation);
 /// First line of the head's text.
 inline constexpr const char* kHeadBegin = "[vdamf]\n";
-bool isHead(const mrpt::obs::CObservation& observation);
+bool isHead(const mrpt::serialization::CSerializable& entry);
 /// Also of others than a run: MRPT stores scenes without their label.
 bool isScene(const mrpt::obs::CObservation& observation);
 
