@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <memory>
+#include <utility>
 
 namespace vdamf
 {
@@ -130,6 +131,31 @@ TEST(Discriminate, LooksAgainWhereMoreOrLessIsSeen)
             for (int k = 0; k < 20; ++k) track = seen(std::move(track), discriminator, 100);
             EXPECT_EQ(seen(track, discriminator, other).judgement.hits, other);
         }
+}
+
+// A car of which little is seen is taken to lie across, and looks like no vehicle there.
+TEST(Discriminate, ForgetsMostOfWhatItSawInABoxThatHasTurned)
+{
+    const Discriminator no = always(-2.0);
+    const Discriminator yes = always(2.0);
+    const auto later = [&](double turn)
+    {
+        Track track = carAlong(7);
+        for (int k = 0; k < 20; ++k) track = seen(std::move(track), no, 100);
+        EXPECT_LT(track.judgement.probability, 0.1);
+        track.measurement->box.heading = turn;
+        track = seen(std::move(track), yes, 101);
+        const bool looked = track.judgement.hits == 101;
+        for (int k = 0; k < 7; ++k) track = seen(std::move(track), yes, 200);
+        return std::pair(looked, track.judgement.probability);
+    };
+    for (const double across : {0.5 * kPi, -0.5 * kPi, 1.0, 2.2})
+    {
+        EXPECT_TRUE(later(across).first) << across;
+        EXPECT_GT(later(across).second, 0.5) << across;
+    }
+    for (const double alike : {0.0, kPi, 0.6, -2.6})
+        EXPECT_LT(later(alike).second, 0.3) << alike << ": front and rear may be exchanged";
 }
 
 TEST(Discriminate, LooksAtTheSameFirstFramesWhateverTheIdentity)

@@ -40,6 +40,20 @@ bool drives(const Track& track)
            std::abs(way.norm() - speed * time) < kUneven * speed * time &&
            std::abs(last.box.length - first.box.length) < kUneven * way.norm();
 }
+
+// Whether a box lies so much across another one that what was seen in that was seen wrongly.
+bool isTurned(const OrientedBox& box, const OrientedBox& before)
+{
+    constexpr double kTurn = 0.77;  // sine of the angle between their axes: 50 degrees
+    return std::abs(std::sin(box.heading - before.heading)) > kTurn;
+}
+
+// What is left of the evidence of a box that has turned.
+VehicleEvidence mostlyForgotten(const VehicleEvidence& evidence)
+{
+    constexpr double kLeft = 0.25;
+    return {kLeft * evidence.sum, kLeft * evidence.frames};
+}
 }  // namespace
 
 Discriminator::Discriminator(const DiscriminatorOptions& options) : options_(options) {}
@@ -110,10 +124,14 @@ Judgement Discriminator::judged(const Track& track, const SegmentedFrame& frame,
         }
         std::size_t hits = 0;
         for (const std::size_t k : clusters) hits += frame.clusters[k].size();
-        if (mayTellMore(track, hits))
+        const OrientedBox& box = track.measurement->box;
+        const bool turned = next.hits > 0 && isTurned(box, next.box);
+        if (turned) next.evidence = mostlyForgotten(next.evidence);
+        if (turned || mayTellMore(track, hits))
         {
             next.logOdds = frameLogOdds(model().frame, objectScore(view, model()), hits);
             next.hits = hits;
+            next.box = box;
         }
         if (options_.keepFeatures) next.features = objectFeatures(view, model().grid);
     }

@@ -39,6 +39,7 @@ struct Judgement
     double logOdds = 0.0;         ///< by the last frame that it looked at
     double probability = 0.5;     ///< of a vehicle, by all of them
     std::size_t hits = 0;         ///< in that frame
+    OrientedBox box;              ///< measured in that frame
     bool hasDriven = false;       ///< as only vehicles do
     std::vector<float> features;  ///< of the current frame, where options ask for them
 };
