@@ -232,6 +232,14 @@ TEST(Discriminate, WhatIsNoneAndStandsLiesAlongItsLongerSide)
     Track goes = parked;
     goes.stoodProbability = 0.1;
     EXPECT_DOUBLE_EQ(discriminator.extentOf(goes).length, 0.4) << "its speed is along its heading";
+    HeadingCues row;
+    row.neighbours = 2.0;
+    Track piece = parked;
+    piece.front = piece.front.after(row);
+    EXPECT_DOUBLE_EQ(discriminator.extentOf(piece).heading, 0.0) << "of a car in a row, by its end";
+    Track wall = piece;
+    wall.around.width = 4.0;
+    EXPECT_DOUBLE_EQ(discriminator.extentOf(wall).length, 4.0) << "wider than any end";
     Track car = parked;
     car.judgement.probability = 0.9;
     EXPECT_EQ(discriminator.extentOf(car).length, car.box().length);

@@ -142,6 +142,22 @@ TEST(Neighbourhood, WhoKnowsNothingOfItsOwnAxesSaysNothing)
     EXPECT_NEAR(evidence({vague}, {0, 0, 0, 4.3, 1.8}), 0.0, 1e-12);
 }
 
+// Between two parked cars a piece of the next one's side shows, as long as an end.
+TEST(Neighbourhood, WhatItsNeighboursOutvotedTellsOthersNothing)
+{
+    HeadingCues piece;
+    piece.side = FaceExtent{1.3, 0.12};
+    Track parked = parkedAt(1, 0.0, 2.7, 0.0);
+    parked.front = HeadingBelief();
+    for (int k = 0; k < 10; ++k) parked.front = parked.front.after(piece);
+    ASSERT_LT(parked.front.axesProbability(), 0.3);
+    EXPECT_LT(evidence({parked}, {0, 0, 0, 4.3, 1.8}), -0.5) << "it may lie across";
+    piece.neighbours = Neighbourhood::kMostEvidence;
+    parked.front = parked.front.after(piece);
+    ASSERT_GT(parked.front.axesProbability(), 0.5);
+    EXPECT_NEAR(evidence({parked}, {0, 0, 0, 4.3, 1.8}), 0.0, 1e-12);
+}
+
 Track surelyParkedAt(std::uint64_t id, double x, double y, double heading)
 {
     Track track = parkedAt(id, x, y, heading);

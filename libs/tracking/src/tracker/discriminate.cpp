@@ -51,8 +51,16 @@ bool isTurned(const OrientedBox& box, const OrientedBox& before)
 // What is left of the evidence of a box that has turned.
 VehicleEvidence mostlyForgotten(const VehicleEvidence& evidence)
 {
-    constexpr double kLeft = 0.25;
+    constexpr double kLeft = 0.35;
     return {kLeft * evidence.sum, kLeft * evidence.frames};
+}
+
+// Whether it may be a piece of a vehicle that lies as those around it do, seen at its end.
+bool liesAsOthers(const Track& track, const OrientedBox& extent)
+{
+    constexpr double kWidestEnd = 2.6;  // m
+    constexpr double kTold = 1.0;       // log odds
+    return extent.width < kWidestEnd && track.front.axesByNeighbours() > kTold;
 }
 }  // namespace
 
@@ -164,7 +172,8 @@ OrientedBox Discriminator::extentOf(const Track& track) const
     OrientedBox extent = track.boxOfHits();
     extent.length = std::max(extent.length, kThinnest);
     extent.width = std::max(extent.width, kThinnest);
-    const bool liesAcross = track.stood() && !track.isFaceless && extent.width > extent.length;
+    const bool liesAcross = track.stood() && !track.isFaceless && extent.width > extent.length &&
+                            !liesAsOthers(track, extent);
     if (!liesAcross) return extent;
     return {extent.x, extent.y, wrapAngle(extent.heading + 0.5 * kPi), extent.width, extent.length};
 }

@@ -67,6 +67,14 @@ bool areInLine(const OrientedBox& a, const OrientedBox& b)
            std::abs(toBoxFrame(b, a.centre()).y()) < kLineHalfWidth;
 }
 
+// Probability of the axes held by what a vehicle itself showed. What others outvoted tells nothing:
+// of a row of cars ever the same part of a side shows between two of them, as long as an end.
+double axesToFollow(const HeadingBelief& front)
+{
+    const double own = front.ownAxesProbability();
+    return front.axesProbability() > 0.5 ? std::max(0.5, own) : own;
+}
+
 // Published, or on its way to it with a vehicle's box whose axes are sure.
 bool isKnown(const Track& track)
 {
@@ -97,7 +105,7 @@ Neighbourhood::Neighbourhood(const std::vector<Track>& tracks, const Discriminat
         neighbours_.push_back({track.id, track.box(), track.misses == 0,
                                std::abs(track.state.yawRate()) > kTurns,
                                track.state.covariance(kHeading, kHeading),
-                               oddsByNeighbour(vehicle, track.front.ownAxesProbability(), kAlike),
+                               oddsByNeighbour(vehicle, axesToFollow(track.front), kAlike),
                                frontOddsByNeighbour(track.front, vehicle)});
     }
 }

@@ -65,6 +65,8 @@ public:
     double axesProbability() const;
     /// The same by what the vehicle itself showed, without its neighbours.
     double ownAxesProbability() const;
+    /// Log odds of the same by the vehicles around it alone, in the last frame.
+    double axesByNeighbours() const { return neighbours_; }
     /// Frames in a row that left length and width more likely exchanged than not.
     int acrossFor() const { return acrossFor_; }
     /// That the heading points to the front, by the way it moved alone.
