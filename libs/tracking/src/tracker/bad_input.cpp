@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "types/time_range.h"
+
 namespace vdamf
 {
 namespace
@@ -14,9 +16,8 @@ namespace
 bool haveSenseAsTimes(const std::vector<float>& times)
 {
     constexpr float kLongestScan = 10.0F;  // s to either side of the frame's time
-    bool have = true;
-    for (const float time : times) have &= !(std::abs(time) > kLongestScan) || std::isinf(time);
-    return have;
+    const TimeRange range = timeRangeOf(times);
+    return range.first > range.last || (range.first >= -kLongestScan && range.last <= kLongestScan);
 }
 
 bool isWhole(const PointCloud& points)

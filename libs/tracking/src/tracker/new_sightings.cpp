@@ -79,10 +79,10 @@ Seam seamOf(const SegmentedFrame& frame, const std::vector<std::size_t>& free)
     {
         if (frame.clusters[i].time.empty()) continue;
         const auto [first, last] = timesOf(frame.clusters[i], frame.sensor);
-        if (last.time - first.time > 0.5F * (frame.lastTime - frame.firstTime)) continue;
-        if (first.time < frame.firstTime + kAtSeam)
+        if (last.time - first.time > 0.5F * (frame.times.last - frame.times.first)) continue;
+        if (first.time < frame.times.first + kAtSeam)
             seam.early.push_back({i, first.at});
-        else if (last.time > frame.lastTime - kAtSeam)
+        else if (last.time > frame.times.last - kAtSeam)
             seam.late.push_back({i, last.at});
     }
     return seam;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tracker/segmentation.h"
 
-#include <algorithm>
-#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -19,12 +17,7 @@ SegmentedFrame segmentedFrame(const LadarFrame& frame, const AboveGround& above,
     s.sensorZ = frame.sensor.z() - frame.origin.z();
     s.points = frame.points.size();
     s.planar = frame.planar;
-    for (const float time : frame.points.time)
-    {
-        if (!std::isfinite(time)) continue;
-        s.firstTime = std::min(s.firstTime, time);
-        s.lastTime = std::max(s.lastTime, time);
-    }
+    s.times = timeRangeOf(frame.points.time);
     s.pointsAboveGround = above.index.size();
     s.profile = rangeProfile(frame, above);
     // A level scan does not tell where it looks and hits nothing.

@@ -3,11 +3,11 @@
 #pragma once
 
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <vector>
 
 #include "types/lent.h"
+#include "types/time_range.h"
 #include "vdamf/tracking/matched_filter/measure.h"
 #include "vdamf/tracking/types/cluster.h"
 #include "vdamf/tracking/types/measurement.h"
@@ -25,8 +25,7 @@ struct SegmentedFrame
     std::size_t points = 0;
     std::size_t pointsAboveGround = 0;
     bool planar = false;
-    float firstTime = std::numeric_limits<float>::infinity();  ///< of all points, s after `time`
-    float lastTime = -std::numeric_limits<float>::infinity();  ///< of all points, s after `time`
+    TimeRange times;  ///< of all points, s after `time`
     RangeProfile profile;
     std::vector<Cluster> clusters;
     Cluster loose;                ///< hits in no cluster
