@@ -12,6 +12,7 @@
 #include "regression/comparison.h"
 #include "regression/run.h"
 #include "regression/seeds.h"
+#include "regression/starts.h"
 #include "regression/tables.h"
 #include "vdamf/files/folder.h"
 #include "vdamf/files/text_file.h"
@@ -34,6 +35,7 @@ struct Cli
     std::vector<std::string> set;
     unsigned jobs = std::max(1U, std::thread::hardware_concurrency());
     int seeds = 0;
+    int starts = 0;
     bool fast = false;
     bool keep = false;
 };
@@ -43,9 +45,15 @@ void declare(CLI::App& app, Cli& cli)
     CLI::Option* only =
         app.add_option("--only", cli.only, "scenarios to run, by commas")->delimiter(',');
     app.add_flag("--fast", cli.fast, "a few scenarios, in half a minute")->excludes(only);
-    app.add_option("--seeds", cli.seeds,
-                   "each simulated scenario with so many seeds: ANEES with its 95 % band")
-        ->check(CLI::Range(1, 10000));
+    CLI::Option* seeds =
+        app.add_option("--seeds", cli.seeds,
+                       "each simulated scenario with so many seeds: ANEES with its 95 % band")
+            ->check(CLI::Range(1, 10000));
+    app.add_option("--starts", cli.starts,
+                   "each scenario from so many of its first frames on: means and their spread, and "
+                   "with --compare which changes are more than chance")
+        ->check(CLI::Range(1, 1000))
+        ->excludes(seeds);
     app.add_option("--data", cli.data,
                    "folder with recordings: KITTI raw drives, av2_samples of Argoverse 2")
         ->check(CLI::ExistingDirectory);
@@ -133,6 +141,7 @@ Plan planOf(const Cli& cli)
     Plan plan;
     plan.scenarios = vdamf::chosenFrom(catalogue, cli.only, cli.fast);
     if (cli.seeds > 0) plan.scenarios = vdamf::withSeeds(plan.scenarios, cli.seeds);
+    if (cli.starts > 0) plan.scenarios = vdamf::withStarts(plan.scenarios, cli.starts);
     if (!cli.fast && cli.only.empty()) plan.notes = catalogue.notes;
     if (cli.tracker.empty()) plan.bounds = vdamf::readBounds(cli.bounds);
     // Before the run: it may be the table that is about to be replaced.
@@ -155,10 +164,12 @@ int run(const Cli& cli, const Plan& plan)
                                                     vdamf::tableLegend() + problems);
     if (cli.seeds > 0)
         std::printf("%s", vdamf::seedsTable(results.rows).c_str());
+    else if (cli.starts > 0)
+        std::printf("%s", vdamf::startsTable(results.rows, plan.before).c_str());
     else
         std::printf("%s%s", vdamf::terminalTable(results.rows).c_str(),
                     vdamf::tableLegend().c_str());
-    if (!cli.compare.empty())
+    if (!cli.compare.empty() && cli.starts == 0)
         std::printf("\nCompared with %s:\n%s", cli.compare.c_str(),
                     vdamf::inWords(vdamf::compared(plan.before, results.rows)).c_str());
     std::printf("%s\ntable: %s\n", problems.c_str(), (out / "regression.csv").c_str());

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <utility>
 
+#include "regression/groups.h"
 #include "regression/variation.h"
 #include "vdamf/evaluation/chi_square.h"
 
@@ -49,51 +50,15 @@ Band bandOf(std::size_t runs, int dimension)
             chiSquareQuantile(1.0 - kTail, freedom) / freedom};
 }
 
-using Group = std::pair<std::string, std::vector<RegressionRow>>;
-
-std::vector<Group> byScenario(const std::vector<RegressionRow>& rows)
-{
-    std::vector<Group> groups;
-    for (const RegressionRow& row : rows)
-    {
-        const std::string name = row.scenario.substr(0, row.scenario.find('/'));
-        if (groups.empty() || groups.back().first != name) groups.push_back({name, {}});
-        groups.back().second.push_back(row);
-    }
-    return groups;
-}
-
-std::vector<double> valuesOf(const Group& group, const char* metric)
-{
-    std::vector<double> values;
-    for (const RegressionRow& row : group.second)
-        if (const auto value = row.values[*metricIndex(metric)]) values.push_back(*value);
-    return values;
-}
-
-double meanOf(const std::vector<double>& values)
-{
-    double sum = 0.0;
-    for (const double value : values) sum += value;
-    return sum / static_cast<double>(values.size());
-}
-
 double rmsOf(std::vector<double> values)
 {
     for (double& value : values) value *= value;
     return std::sqrt(meanOf(values));
 }
 
-std::string cell(const char* format, double value)
+std::string neesCell(const RegressionGroup& group, const Nees& nees)
 {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), format, value);
-    return text.data();
-}
-
-std::string neesCell(const Group& group, const Nees& nees)
-{
-    const std::vector<double> values = valuesOf(group, nees.metric);
+    const std::vector<double> values = knownValues(group.second, nees.metric);
     if (values.empty()) return "               -";
     const Band band = bandOf(values.size(), nees.dimension);
     const double mean = meanOf(values);
@@ -101,7 +66,7 @@ std::string neesCell(const Group& group, const Nees& nees)
     return cell("%7.2f", mean) + mark + cell(" %3.2f", band.low) + cell("-%3.2f", band.high);
 }
 
-std::string lineOf(const Group& group)
+std::string lineOf(const RegressionGroup& group)
 {
     std::array<char, 64> begin{};
     std::snprintf(begin.data(), begin.size(), "%-26.26s%4zu", group.first.c_str(),
@@ -110,7 +75,7 @@ std::string lineOf(const Group& group)
     for (const Nees& nees : kNees) line += neesCell(group, nees);
     for (const Error& error : kErrors)
     {
-        const std::vector<double> values = valuesOf(group, error.metric);
+        const std::vector<double> values = knownValues(group.second, error.metric);
         line += values.empty() ? "         -" : cell("%10.3f", rmsOf(values));
     }
     return line + "\n";
@@ -147,8 +112,8 @@ std::string seedsTable(const std::vector<RegressionRow>& rows)
                   "  95 %", kErrors[0].title, kErrors[1].title, kErrors[2].title, kErrors[3].title);
     std::string table = "ANEES (1 is right; * too confident, . too cautious) and RMS errors\n";
     table += heading.data();
-    const std::vector<Group> groups = byScenario(rows);
-    for (const Group& group : groups) table += lineOf(group);
+    const std::vector<RegressionGroup> groups = byScenario(rows);
+    for (const RegressionGroup& group : groups) table += lineOf(group);
     if (groups.size() > 1) table += lineOf({"all, as one population", rows});
     return table;
 }
