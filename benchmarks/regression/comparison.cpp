@@ -5,18 +5,13 @@
 #include <cmath>
 #include <limits>
 
+#include "regression/groups.h"
+
 namespace vdamf
 {
 namespace
 {
 constexpr std::size_t kLineWidth = 125;
-
-const RegressionRow* find(const std::vector<RegressionRow>& rows, const std::string& scenario)
-{
-    for (const RegressionRow& row : rows)
-        if (row.scenario == scenario) return &row;
-    return nullptr;
-}
 
 // How bad a value is: less is better.
 double badness(Better better, double value)
@@ -128,7 +123,7 @@ Comparison compared(const std::vector<RegressionRow>& before,
     Comparison comparison;
     for (const RegressionRow& row : after)
     {
-        const RegressionRow* old = find(before, row.scenario);
+        const RegressionRow* old = findRow(before, row.scenario);
         if (old == nullptr)
         {
             comparison.onlyAfter.push_back(row.scenario);
@@ -139,7 +134,7 @@ Comparison compared(const std::vector<RegressionRow>& before,
         comparison.changes.insert(comparison.changes.end(), changes.begin(), changes.end());
     }
     for (const RegressionRow& row : before)
-        if (find(after, row.scenario) == nullptr) comparison.onlyBefore.push_back(row.scenario);
+        if (findRow(after, row.scenario) == nullptr) comparison.onlyBefore.push_back(row.scenario);
     return comparison;
 }
 

@@ -19,6 +19,13 @@ std::vector<RegressionGroup> byScenario(const std::vector<RegressionRow>& rows)
     return groups;
 }
 
+const RegressionRow* findRow(const std::vector<RegressionRow>& rows, const std::string& scenario)
+{
+    for (const RegressionRow& row : rows)
+        if (row.scenario == scenario) return &row;
+    return nullptr;
+}
+
 std::vector<double> knownValues(const std::vector<RegressionRow>& rows, const char* metric)
 {
     std::vector<double> values;

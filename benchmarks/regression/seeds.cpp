@@ -26,15 +26,10 @@ constexpr std::array<Nees, 3> kNees{{{"pose", "nees_pose_mean", 3},
                                      {"speed", "nees_speed_mean", 1},
                                      {"size", "nees_size_mean", 2}}};
 
-struct Error
-{
-    const char* title;
-    const char* metric;
-};
-constexpr std::array<Error, 4> kErrors{{{"pos m", "position_rms_m"},
-                                        {"head deg", "heading_rms_deg"},
-                                        {"speed m/s", "speed_rms_mps"},
-                                        {"yaw deg/s", "yaw_rate_rms_degps"}}};
+constexpr std::array<TitledMetric, 4> kErrors{{{"pos m", "position_rms_m"},
+                                               {"head deg", "heading_rms_deg"},
+                                               {"speed m/s", "speed_rms_mps"},
+                                               {"yaw deg/s", "yaw_rate_rms_degps"}}};
 
 struct Band
 {
@@ -73,7 +68,7 @@ std::string lineOf(const RegressionGroup& group)
                   group.second.size());
     std::string line = begin.data();
     for (const Nees& nees : kNees) line += neesCell(group, nees);
-    for (const Error& error : kErrors)
+    for (const TitledMetric& error : kErrors)
     {
         const std::vector<double> values = knownValues(group.second, error.metric);
         line += values.empty() ? "         -" : cell("%10.3f", rmsOf(values));

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
-#include <map>
 
 #include "regression/groups.h"
 
@@ -13,18 +12,13 @@ namespace vdamf
 {
 namespace
 {
-struct Column
-{
-    const char* title;
-    const char* metric;
-};
-constexpr std::array<Column, 7> kColumns{{{"HOTA", "vehicles_hota"},
-                                          {"MOTA", "vehicles_mota"},
-                                          {"IDF1", "vehicles_idf1"},
-                                          {"recall", "recall"},
-                                          {"pos m", "position_rms_m"},
-                                          {"head deg", "heading_rms_deg"},
-                                          {"speed m/s", "speed_rms_mps"}}};
+constexpr std::array<TitledMetric, 7> kColumns{{{"HOTA", "vehicles_hota"},
+                                                {"MOTA", "vehicles_mota"},
+                                                {"IDF1", "vehicles_idf1"},
+                                                {"recall", "recall"},
+                                                {"pos m", "position_rms_m"},
+                                                {"head deg", "heading_rms_deg"},
+                                                {"speed m/s", "speed_rms_mps"}}};
 
 double deviationOf(const std::vector<double>& values)
 {
@@ -45,7 +39,7 @@ std::string begin(const std::string& name, std::size_t runs)
 std::string spreadLine(const RegressionGroup& group)
 {
     std::string line = begin(group.first, group.second.size());
-    for (const Column& column : kColumns)
+    for (const TitledMetric& column : kColumns)
     {
         const std::vector<double> values = knownValues(group.second, column.metric);
         line += values.empty()
@@ -55,18 +49,16 @@ std::string spreadLine(const RegressionGroup& group)
     return line + "\n";
 }
 
-using RowsByName = std::map<std::string, RegressionRow>;
-
-std::vector<double> changesOf(const RegressionGroup& group, const RowsByName& before,
-                              const char* metric)
+std::vector<double> changesOf(const RegressionGroup& group,
+                              const std::vector<RegressionRow>& before, const char* metric)
 {
     const std::size_t column = *metricIndex(metric);
     std::vector<double> changes;
     for (const RegressionRow& row : group.second)
     {
-        const auto earlier = before.find(row.scenario);
-        if (earlier == before.end()) continue;
-        const auto& was = earlier->second.values[column];
+        const RegressionRow* earlier = findRow(before, row.scenario);
+        if (earlier == nullptr) continue;
+        const auto& was = earlier->values[column];
         const auto& is = row.values[column];
         if (was && is) changes.push_back(*is - *was);
     }
@@ -83,12 +75,13 @@ std::string changeCell(const std::vector<double>& changes)
     return cell("%+8.3f", mean) + cell(" %5.3f", error) + (isSure ? "*" : " ");
 }
 
-std::string changeLine(const RegressionGroup& group, const RowsByName& before)
+std::string changeLine(const RegressionGroup& group, const std::vector<RegressionRow>& before)
 {
     std::size_t known = 0;
-    for (const RegressionRow& row : group.second) known += before.count(row.scenario);
+    for (const RegressionRow& row : group.second)
+        known += findRow(before, row.scenario) != nullptr ? 1U : 0U;
     std::string line = begin("  change", known);
-    for (const Column& column : kColumns)
+    for (const TitledMetric& column : kColumns)
         line += changeCell(changesOf(group, before, column.metric));
     return line + "\n";
 }
@@ -114,12 +107,10 @@ std::vector<RegressionScenario> withStarts(const std::vector<RegressionScenario>
 std::string startsTable(const std::vector<RegressionRow>& rows,
                         const std::vector<RegressionRow>& before)
 {
-    RowsByName earlier;
-    for (const RegressionRow& row : before) earlier.emplace(row.scenario, row);
     std::string table = "Mean over the starts and standard deviation";
     if (!before.empty()) table += "; mean change and its standard error, * surely one";
     table += "\n" + std::string(26, ' ');
-    for (const Column& column : kColumns)
+    for (const TitledMetric& column : kColumns)
     {
         std::array<char, 32> title{};
         std::snprintf(title.data(), title.size(), "%15s", column.title);
@@ -129,7 +120,7 @@ std::string startsTable(const std::vector<RegressionRow>& rows,
     for (const RegressionGroup& group : byScenario(rows))
     {
         table += spreadLine(group);
-        if (!before.empty()) table += changeLine(group, earlier);
+        if (!before.empty()) table += changeLine(group, before);
     }
     return table;
 }
