@@ -167,6 +167,50 @@ TEST_F(Confirmation, OfFewHitsWhatDrivesMayBeOnParkedCarsInTurn)
     EXPECT_EQ(sightingsUntilConfirmed(track, options_.lifecycle), 7);
 }
 
+// Of known speed and front, and surely a vehicle.
+Track driving(double speed)
+{
+    Track track = standing();
+    track.hypotheses->standingProbability = 0.0;
+    track.state.mean(kSpeed) = track.hypotheses->driving.front().mean(kSpeed) = speed;
+    HeadingCues cues;
+    cues.side = FaceExtent{4.3, 1.0};
+    cues.course = HeadingCues::Course{0.0, speed};
+    for (int k = 0; k < 10; ++k) track.front = track.front.after(cues);
+    track.judgement.probability = 0.9;
+    return track;
+}
+
+TEST_F(Confirmation, NeedsNoThirdSightingOfAVehicleOfKnownSpeed)
+{
+    Track track = driving(20.0);
+    EXPECT_EQ(sightingsUntilConfirmed(track, options_.lifecycle), 2);
+    track.judgement.probability = 0.7;
+    EXPECT_EQ(sightingsUntilConfirmed(track, options_.lifecycle), 3) << "may be something else";
+    track.judgement.probability = 0.9;
+    track.state.covariance(kSpeed, kSpeed) = 1.0;
+    EXPECT_EQ(sightingsUntilConfirmed(track, options_.lifecycle), 3) << "may be slower";
+    track.hypotheses->standingProbability = 0.9;
+    EXPECT_EQ(sightingsUntilConfirmed(track, options_.lifecycle), 2) << "likely stands";
+    track.surprisedAt = 4;
+    EXPECT_EQ(sightingsUntilConfirmed(track, options_.lifecycle), 6) << "it hopped";
+    options_.lifecycle.confirmHits = 10;
+    track.surprisedAt = 0;
+    EXPECT_EQ(sightingsUntilConfirmed(track, options_.lifecycle), 9);
+}
+
+TEST_F(Confirmation, OfFewHitsAVehicleThatSurelyDrivesIsNotWaitedFor)
+{
+    Track track = driving(12.0);
+    track.hits = 15;
+    EXPECT_EQ(sightingsUntilConfirmed(track, options_.lifecycle), 2);
+    track.judgement.probability = 0.7;
+    EXPECT_EQ(sightingsUntilConfirmed(track, options_.lifecycle), 7) << "what is it?";
+    Track slow = driving(1.2);
+    slow.hits = 15;
+    EXPECT_EQ(sightingsUntilConfirmed(slow, options_.lifecycle), 7) << "may stand";
+}
+
 TEST_F(Confirmation, WaitsLongerWhereFewHitsDoNotTellTheAxes)
 {
     Track track = standing();

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "tracker/discriminate.h"
 #include "vdamf/tracking/estimation/assumed_size.h"
 
 namespace vdamf
@@ -68,6 +69,24 @@ double hitProbability(const Track& track, const LifecycleOptions& options)
     return options.hitProbability * track.lastHits / (track.lastHits + kFew);
 }
 
+double speedSigmaOf(const VehicleState& state)
+{
+    return std::sqrt(state.covariance(kSpeed, kSpeed));
+}
+
+// Whether it likely stands, or its speed is known well. A second sighting that shows more of what
+// stands looks like one of what drives, but not as sure.
+bool isSpeedSure(const Track& track)
+{
+    constexpr double kSure = 0.8;  // m/s
+    return track.hypotheses->standingProbability >= 0.5 || speedSigmaOf(track.state) < kSure;
+}
+
+bool isVehicleOfKnownSpeed(const Track& track)
+{
+    return track.judgement.probability > kSurelyAVehicle && isSpeedSure(track);
+}
+
 // Whether the speed is not known yet, nor which way what may be moving drives.
 bool isSpeedVague(const Track& track, const LifecycleOptions& options)
 {
@@ -75,12 +94,13 @@ bool isSpeedVague(const Track& track, const LifecycleOptions& options)
     // Of few hits, what drives seems to stand at first: as fast as it may be if it does not.
     const bool isFew = isHardlySeen(track);
     const VehicleState& told = isFew ? track.hypotheses->driving.front() : track.state;
-    const double fastest =
-        std::abs(told.mean(kSpeed)) + 2.0 * std::sqrt(told.covariance(kSpeed, kSpeed));
+    const double speed = std::abs(told.mean(kSpeed));
+    const double error = 2.0 * speedSigmaOf(told);
+    const bool mayBeEither = isFew && (speed - error < kStill || !isVehicleOfKnownSpeed(track));
     const double forward =
         std::min(track.front.forwardProbability(), track.front.forwardProbabilityByCourse());
-    return std::sqrt(track.state.covariance(kSpeed, kSpeed)) > options.confirmSpeedSigma ||
-           (fastest > kStill && (isFew || forward < options.confirmAxes));
+    return speedSigmaOf(track.state) > options.confirmSpeedSigma ||
+           (speed + error > kStill && (mayBeEither || forward < options.confirmAxes));
 }
 
 // Sightings more that it takes to confirm a track. What may still be across is not where its box
@@ -164,11 +184,13 @@ Track withHit(Track track, double time, const LifecycleOptions& options)
 Track withConfirmation(Track track, const LifecycleOptions& options)
 {
     constexpr int kForCalm = 15;
-    const int enough = options.confirmHits + patienceWith(track, options);
+    const int patience = patienceWith(track, options);
+    // Nothing is left that one more sighting would tell.
+    const int hits = options.confirmHits - (patience == 0 && isVehicleOfKnownSpeed(track) ? 1 : 0);
+    const int enough = hits + patience;
     const int seen = track.sightingsOfState();
     // One that hops on to something else comes to rest there.
-    const bool isCalm =
-        track.sightings - track.surprisedAt >= options.confirmHits || seen >= enough + kForCalm;
+    const bool isCalm = track.sightings - track.surprisedAt >= hits || seen >= enough + kForCalm;
     if (track.status == TrackStatus::Coasting || (seen >= enough && isCalm))
         track.status = TrackStatus::Confirmed;
     return track;

@@ -43,8 +43,9 @@ struct LifecycleOptions
         field(self.maxExtent, "max_extent_m", 3.0, 60.0,
               "largest diagonal of a cluster that starts a track");
         field(self.confirmHits, "confirm_hits", 1, 50,
-              "measured frames that confirm a track; thirty more of what may be a vehicle and is "
-              "shorter than any car");
+              "measured frames that confirm a track; one fewer of what surely is a vehicle and "
+              "stands or has a known speed, thirty more of what may be one and is shorter than any "
+              "car");
         field(
             self.confirmAxes, "confirm_axes_probability", 0.0, 0.99,
             "that length and width are not exchanged, nor front and rear of what may be moving, "
@@ -52,7 +53,7 @@ struct LifecycleOptions
             "measured frames, of few hits for thirty, for the front for four");
         field(self.confirmSpeedSigma, "confirm_speed_sigma_mps", 0.1, 40.0,
               "standard deviation of a track's speed up to which it is confirmed then; one that is "
-              "known less, or by few hits, waits for four more");
+              "known less, or of few hits that may stand or drive, waits for four more");
         field(self.hitProbability, "hit_probability", 0.1, 0.99,
               "that an object in full view has hits: each frame in which the sensor sees through "
               "where it ought to be speaks against it; hidden behind something nearer it is not "
