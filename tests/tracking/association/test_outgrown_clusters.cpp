@@ -49,7 +49,7 @@ PredictedTarget car()
     target.box = {12.25, -3.9, 0.0, 4.5, 1.8};
     target.positionSigma = {0.1, 0.1};
     target.lengthSigma = target.widthSigma = 0.1;
-    target.isCar = true;
+    target.isBounded = true;
     return target;
 }
 
@@ -79,7 +79,7 @@ TEST(OutgrownClusters, NotThatOfTheCarAlone)
 TEST(OutgrownClusters, NotByWhatIsNotKnown)
 {
     PredictedTarget perhaps = car();
-    perhaps.isCar = false;
+    perhaps.isBounded = false;
     EXPECT_FALSE(cut(carAndHedge(), perhaps));
     PredictedTarget vague = car();
     vague.positionSigma = {1.0, 0.1};
@@ -112,6 +112,30 @@ TEST(OutgrownClusters, ATruckThatDrivesAndWhatItPasses)
     vague = truck;
     vague.widthSigma = 0.5;
     EXPECT_FALSE(cut(both, vague));
+}
+
+// Two vehicles that stand and drive beside each other have all hits between them.
+TEST(OutgrownClusters, ATruckThatDrivesAndAKnownVehicleThatItPasses)
+{
+    PredictedTarget truck;
+    truck.box = {17.5, -1.2, 0.0, 5.0, 2.4};
+    truck.positionSigma = {1.0, 0.1};
+    truck.lengthSigma = 2.0;
+    truck.widthSigma = 0.1;
+    truck.isDrivingTruck = true;
+    Cluster both = carAlone();
+    addLine(both, {15.0F, -2.4F}, {15.0F, 0.0F}, 30);
+    const auto parts = KnownVehicles({truck, car()}, {}).cut(both, kSensor);
+    ASSERT_TRUE(parts);
+    ASSERT_EQ(parts->vehicles.size(), 2U);
+    EXPECT_EQ(parts->vehicles[0].size(), 40U) << "the car's first";
+    EXPECT_EQ(parts->vehicles[1].size(), 30U);
+    EXPECT_EQ(parts->rest.size(), 0U);
+    PredictedTarget ends = truck;
+    ends.isDrivingTruck = false;
+    ends.isBounded = true;
+    ends.positionSigma.x() = 0.1;
+    EXPECT_FALSE(KnownVehicles({ends, car()}, {}).cut(both, kSensor)) << "they meet at a line";
 }
 
 TEST(OutgrownClusters, NotByAnAssumedLength)

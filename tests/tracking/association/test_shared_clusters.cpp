@@ -66,11 +66,11 @@ TEST(SharedClusters, ThatOfTwoThatPassHalfAMetreApart)
     const Cluster both = together(outline(rearAndSide(10.0, 0.0)), outline(rearAndSide(11.0, 2.3)));
     PredictedTarget turned = predictedCar(11.0, 1.93);
     turned.box.heading = 0.07;
-    turned.isCar = true;
+    turned.isBounded = true;
     EXPECT_EQ(shared({predictedCar(10.0, 0.0), turned}, both).size(), 1U);
-    turned.isCar = false;
+    turned.isBounded = false;
     EXPECT_TRUE(shared({predictedCar(10.0, 0.0), turned}, both).empty()) << "no vehicle for sure";
-    turned.isCar = true;
+    turned.isBounded = true;
     turned.box.y = 1.2;
     EXPECT_TRUE(shared({predictedCar(10.0, 0.0), turned}, both).empty()) << "one on the other";
 }
@@ -80,14 +80,14 @@ TEST(SharedClusters, ThatOfACarBehindOneOfTwentyTimesItsHits)
     const Cluster both =
         together(outline(rearAndSide(5.0, 0.0), 400), outline(rearAndSide(9.8, 0.0), 20));
     PredictedTarget behind = predictedCar(9.8, 0.0);
-    behind.isCar = true;
+    behind.isBounded = true;
     EXPECT_TRUE(shared({predictedCar(5.0, 0.0), behind}, both).empty())
         << "seen with who knows what";
     behind.hits = 40.0;
     EXPECT_EQ(shared({predictedCar(5.0, 0.0), behind}, both).size(), 1U);
-    behind.isCar = false;
+    behind.isBounded = false;
     EXPECT_TRUE(shared({predictedCar(5.0, 0.0), behind}, both).empty()) << "no vehicle for sure";
-    behind.isCar = true;
+    behind.isBounded = true;
     behind.hits = 400.0;
     EXPECT_TRUE(shared({predictedCar(5.0, 0.0), behind}, both).empty()) << "it had far more hits";
 }

@@ -19,14 +19,43 @@ PredictedTarget targetOf(double probability, double width, double height)
 
 TEST(PredictedTargets, ACarIsOneWhereThatIsSure)
 {
-    EXPECT_TRUE(targetOf(0.9, 1.8, 1.5).isCar);
-    EXPECT_FALSE(targetOf(0.7, 1.8, 1.5).isCar);
+    EXPECT_TRUE(targetOf(0.9, 1.8, 1.5).isBounded);
+    EXPECT_FALSE(targetOf(0.7, 1.8, 1.5).isBounded);
 }
 
 TEST(PredictedTargets, WhatMayBeATruckIsNoCar)
 {
-    EXPECT_FALSE(targetOf(0.9, 2.5, 1.5).isCar) << "its cab may be out of view";
-    EXPECT_FALSE(targetOf(0.9, 1.8, 2.8).isCar);
+    EXPECT_FALSE(targetOf(0.9, 2.5, 1.5).isBounded) << "its cab may be out of view";
+    EXPECT_FALSE(targetOf(0.9, 1.8, 2.8).isBounded);
+}
+
+TEST(PredictedTargets, ATruckEndsWhereItsBoxDoesWhereItStandsAndItsSizeIsKnown)
+{
+    Track truck;
+    truck.state.mean << 10.0, 0.0, 0.0, 0.0, 0.0, 1.2, 9.0;
+    truck.state.width = 2.5;
+    truck.state.covariance(kLength, kLength) = truck.state.widthVariance = 0.2 * 0.2;
+    truck.height = 3.0;
+    truck.judgement.probability = 0.9;
+    truck.stoodProbability = 0.9;
+    truck.told.length = truck.told.width = true;
+    const auto isBounded = [](const Track& track)
+    {
+        const Discriminator discriminator{DiscriminatorOptions()};
+        return predictedTargets({track}, discriminator).front().isBounded;
+    };
+    EXPECT_TRUE(isBounded(truck));
+    for (const auto& change :
+         {+[](Track& t) { t.stoodProbability = 0.1; }, +[](Track& t) { t.told.length = false; },
+          +[](Track& t) { t.told.width = false; }, +[](Track& t) { t.state.width = 5.0; },
+          +[](Track& t) { t.judgement.probability = 0.7; },
+          +[](Track& t) { t.state.covariance(kLength, kLength) = 0.5 * 0.5; },
+          +[](Track& t) { t.state.widthVariance = 0.5 * 0.5; }})
+    {
+        Track other = truck;
+        change(other);
+        EXPECT_FALSE(isBounded(other));
+    }
 }
 
 TEST(PredictedTargets, ATruckIsOneWhereItDrivesAndItsWidthWasSeen)

@@ -48,7 +48,7 @@ PredictedTarget sureCar()
 {
     PredictedTarget car = predictedCar(0.0, 4.9, 0.05);
     car.box.length = 4.1;
-    car.isCar = true;
+    car.isBounded = true;
     return car;
 }
 

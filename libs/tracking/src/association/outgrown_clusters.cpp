@@ -20,15 +20,15 @@ std::vector<PredictedTarget> knownAmong(const std::vector<PredictedTarget>& targ
     std::vector<PredictedTarget> known;
     for (const PredictedTarget& t : targets)
     {
-        const bool isCar = t.isCar && t.positionSigma.maxCoeff() < kSureOfOutgrown &&
-                           std::min(t.lengthSigma, t.widthSigma) < kSureSize;
+        const bool isBounded = t.isBounded && t.positionSigma.maxCoeff() < kSureOfOutgrown &&
+                               std::min(t.lengthSigma, t.widthSigma) < kSureSize;
         const bool isTruck =
             t.isDrivingTruck && t.positionSigma.y() < kSureOfOutgrown && t.widthSigma < kSureSize;
-        if (isCar || isTruck) known.push_back(t);
+        if (isBounded || isTruck) known.push_back(t);
     }
     // Of hits on both a car ahead and the strip that a truck's unknown length leaves, the car's.
     std::stable_partition(known.begin(), known.end(),
-                          [](const PredictedTarget& t) { return t.isCar; });
+                          [](const PredictedTarget& t) { return t.isBounded; });
     return known;
 }
 
@@ -64,12 +64,14 @@ struct Shares
         for (const std::size_t k : owner) ++hits[k];
     }
 
-    // Of both.
-    bool areEnough() const
+    // Of two at least, and not only of vehicles that end where their boxes do, which come first:
+    // what two of those share is cut where their boxes meet.
+    bool areEnough(std::size_t bounded) const
     {
-        return hits.back() >= kLeastHits &&
-               std::any_of(hits.begin(), hits.end() - 1,
-                           [](std::size_t count) { return count >= kLeastHits; });
+        const auto isEnough = [](std::size_t count) { return count >= kLeastHits; };
+        return std::count_if(hits.begin(), hits.end(), isEnough) >= 2 &&
+               std::any_of(hits.begin() + static_cast<std::ptrdiff_t>(bounded), hits.end(),
+                           isEnough);
     }
 
     std::vector<std::size_t> owner;  // of each hit, among the vehicles and then none
@@ -88,14 +90,17 @@ std::optional<CutCluster> KnownVehicles::cut(const Cluster& cluster,
 {
     if (cluster.size() < 2 * kLeastHits || vehicles_.empty()) return std::nullopt;
     std::vector<VehicleSurface> outgrown;
+    std::size_t bounded = 0;  // of these
     for (const std::size_t k : index_.overlapping(PlaneBounds::around(boundsOf(cluster))))
     {
         const VehicleSurface surface = surfaceOf(vehicles_[k], sensor, options_);
-        if (surface.isOutgrownBy(cluster)) outgrown.push_back(surface);
+        if (!surface.isOutgrownBy(cluster)) continue;
+        outgrown.push_back(surface);
+        if (vehicles_[k].isBounded) ++bounded;
     }
     if (outgrown.empty()) return std::nullopt;
     const Shares shares(cluster, outgrown);
-    if (!shares.areEnough()) return std::nullopt;
+    if (!shares.areEnough(bounded)) return std::nullopt;
     CutCluster parts;
     parts.vehicles.resize(outgrown.size());
     for (std::size_t i = 0; i < cluster.size(); ++i)

@@ -47,7 +47,7 @@ OrientedBox coreOf(const PredictedTarget& target)
 {
     constexpr double kSlack = 0.3;  // m, on each side
     OrientedBox box = target.box;
-    if (!target.isCar && !target.isDrivingTruck) return box;
+    if (!target.isBounded && !target.isDrivingTruck) return box;
     box.length = std::max(0.0, box.length - 2.0 * kSlack);
     box.width = std::max(0.0, box.width - 2.0 * kSlack);
     return box;
@@ -84,7 +84,7 @@ double onlyOn(const HitsOfTarget& one, const HitsOfTarget& other, const Hits& hi
 double leastHits(const PredictedTarget& target, const Hits& cluster)
 {
     double least = kLeastShareOfHits * cluster.totalWeight;
-    if ((target.isCar || target.isDrivingTruck) && target.hits > 0.0)
+    if ((target.isBounded || target.isDrivingTruck) && target.hits > 0.0)
         least = std::min(least, kLeastShareOfBefore * target.hits);
     return std::max(kLeastHitsOfSharer, least);
 }

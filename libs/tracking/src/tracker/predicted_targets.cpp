@@ -1,12 +1,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tracker/predicted_targets.h"
 
+#include <algorithm>
 #include <cmath>
 
+#include "association/vehicle_surface.h"
 #include "vdamf/tracking/estimation/assumed_size.h"
 
 namespace vdamf
 {
+namespace
+{
+bool isCar(const Track& track)
+{
+    return track.height < kLowestTruck && track.box().width < widestCar(track.height);
+}
+
+// One that stands: of one that drives no more than the width is certain.
+bool isTruckOfKnownSize(const Track& track)
+{
+    return track.stood() && track.told.length && track.told.width &&
+           track.box().width < kWidestTruck &&
+           std::max(track.lengthSigma(), track.widthSigma()) < kSureSize;
+}
+}  // namespace
+
 std::vector<PredictedTarget> predictedTargets(const std::vector<Track>& tracks,
                                               const Discriminator& discriminator)
 {
@@ -27,9 +45,9 @@ std::vector<PredictedTarget> predictedTargets(const std::vector<Track>& tracks,
         target.speedSigma = std::sqrt(track.state.covariance(kSpeed, kSpeed));
         target.speedCovariance = track.speedCovariance();
         const double probability = discriminator.vehicleProbability(track);
-        target.isCar = probability > kSurelyAVehicle && track.height < kLowestTruck &&
-                       track.box().width < widestCar(track.height);
-        target.isDrivingTruck = probability > kSurelyAVehicle && !target.isCar &&
+        target.isBounded =
+            probability > kSurelyAVehicle && (isCar(track) || isTruckOfKnownSize(track));
+        target.isDrivingTruck = probability > kSurelyAVehicle && !target.isBounded &&
                                 track.told.width && track.box().width < kWidestTruck &&
                                 track.stoodProbability < kMayStand;
         target.isClutter = probability < 1.0 - kSurelyAVehicle;

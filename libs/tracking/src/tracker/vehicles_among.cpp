@@ -42,7 +42,7 @@ std::optional<PredictedTarget> vehicleIn(const SegmentedFrame& piece, const Neig
     PredictedTarget vehicle;
     vehicle.box = startState(m, height, piece.sensor, {}, options.visibility, options.motion).box();
     vehicle.positionSigma = {kSigma, kSigma};
-    vehicle.isCar = true;
+    vehicle.isBounded = true;
     return vehicle;
 }
 }  // namespace

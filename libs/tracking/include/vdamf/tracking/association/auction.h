@@ -48,9 +48,10 @@ struct PredictedTarget
     /// m^2/s: at the time of a cluster that place is better or less known than at the frame's.
     double speedSigma = 0.0;
     double speedCovariance = 0.0;
-    /// Surely: what goes on beyond its box is something else. Trucks are open between their axles,
-    /// and what is taken for the end of one may be.
-    bool isCar = false;
+    /// Surely a vehicle that ends where its box does: what goes on beyond is something else. Trucks
+    /// are open between their axles, and what is taken for the end of one may be: a truck is where
+    /// its size is known.
+    bool isBounded = false;
     /// Surely a truck or bus that drives: what lies beside it is something else.
     bool isDrivingTruck = false;
     bool isClutter = false;  ///< surely, and no vehicle
