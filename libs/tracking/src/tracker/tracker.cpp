@@ -206,8 +206,6 @@ private:
                     const Unseen known = unseen(track, predicted[j], frame);
                     track = withMiss(std::move(track), view, known, options_.lifecycle);
                 }
-                if (track.misses == 0)
-                    track = withConfirmation(std::move(track), options_.lifecycle);
             });
     }
 
@@ -237,9 +235,14 @@ private:
     void judgeTracks(const SegmentedFrame& frame,
                      const std::vector<std::vector<std::size_t>>& assignment)
     {
-        workers_.forEach(
-            tracks_.size(), [&](std::size_t j, std::size_t)
-            { tracks_[j].judgement = discriminator_.judged(tracks_[j], frame, assignment[j]); });
+        workers_.forEach(tracks_.size(),
+                         [&](std::size_t j, std::size_t)
+                         {
+                             Track& track = tracks_[j];
+                             track.judgement = discriminator_.judged(track, frame, assignment[j]);
+                             if (track.misses == 0)
+                                 track = withConfirmation(std::move(track), options_.lifecycle);
+                         });
     }
 
     TrackReport reportAt(const Eigen::Vector3d& origin, const Track& track) const
