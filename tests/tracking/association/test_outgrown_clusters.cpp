@@ -53,6 +53,18 @@ PredictedTarget car()
     return target;
 }
 
+// Of which no more than the width is known.
+PredictedTarget drivingTruck(const OrientedBox& box)
+{
+    PredictedTarget target;
+    target.box = box;
+    target.positionSigma = {1.0, 0.1};
+    target.lengthSigma = 2.0;
+    target.widthSigma = 0.1;
+    target.isDrivingTruck = true;
+    return target;
+}
+
 std::optional<CutCluster> cut(const Cluster& cluster, const PredictedTarget& vehicle)
 {
     return KnownVehicles({vehicle}, {}).cut(cluster, kSensor);
@@ -91,12 +103,7 @@ TEST(OutgrownClusters, NotByWhatIsNotKnown)
 
 TEST(OutgrownClusters, ATruckThatDrivesAndWhatItPasses)
 {
-    PredictedTarget truck;
-    truck.box = {14.5, -3.9, 0.0, 9.0, 2.4};
-    truck.positionSigma = {1.0, 0.1};
-    truck.lengthSigma = 2.0;
-    truck.widthSigma = 0.1;
-    truck.isDrivingTruck = true;
+    const PredictedTarget truck = drivingTruck({14.5, -3.9, 0.0, 9.0, 2.4});
     Cluster both;
     addLine(both, {10.0F, -5.1F}, {10.0F, -2.7F}, 30);
     addLine(both, {20.0F, -2.7F}, {24.0F, -2.7F}, 10);  // farther than it seemed to reach
@@ -117,12 +124,7 @@ TEST(OutgrownClusters, ATruckThatDrivesAndWhatItPasses)
 // Two vehicles that stand and drive beside each other have all hits between them.
 TEST(OutgrownClusters, ATruckThatDrivesAndAKnownVehicleThatItPasses)
 {
-    PredictedTarget truck;
-    truck.box = {17.5, -1.2, 0.0, 5.0, 2.4};
-    truck.positionSigma = {1.0, 0.1};
-    truck.lengthSigma = 2.0;
-    truck.widthSigma = 0.1;
-    truck.isDrivingTruck = true;
+    const PredictedTarget truck = drivingTruck({17.5, -1.2, 0.0, 5.0, 2.4});
     Cluster both = carAlone();
     addLine(both, {15.0F, -2.4F}, {15.0F, 0.0F}, 30);
     const auto parts = KnownVehicles({truck, car()}, {}).cut(both, kSensor);

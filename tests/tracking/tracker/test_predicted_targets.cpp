@@ -17,6 +17,17 @@ PredictedTarget targetOf(double probability, double width, double height)
     return predictedTargets({track}, Discriminator(DiscriminatorOptions())).front();
 }
 
+Track truckOfKnownWidth()
+{
+    Track track;
+    track.state.mean << 10.0, 0.0, 0.0, 0.0, 0.0, 1.2, 9.0;
+    track.state.width = 2.5;
+    track.height = 3.0;
+    track.judgement.probability = 0.9;
+    track.told.width = true;
+    return track;
+}
+
 TEST(PredictedTargets, ACarIsOneWhereThatIsSure)
 {
     EXPECT_TRUE(targetOf(0.9, 1.8, 1.5).isBounded);
@@ -31,14 +42,10 @@ TEST(PredictedTargets, WhatMayBeATruckIsNoCar)
 
 TEST(PredictedTargets, ATruckEndsWhereItsBoxDoesWhereItStandsAndItsSizeIsKnown)
 {
-    Track truck;
-    truck.state.mean << 10.0, 0.0, 0.0, 0.0, 0.0, 1.2, 9.0;
-    truck.state.width = 2.5;
+    Track truck = truckOfKnownWidth();
     truck.state.covariance(kLength, kLength) = truck.state.widthVariance = 0.2 * 0.2;
-    truck.height = 3.0;
-    truck.judgement.probability = 0.9;
     truck.stoodProbability = 0.9;
-    truck.told.length = truck.told.width = true;
+    truck.told.length = true;
     const auto isBounded = [](const Track& track)
     {
         const Discriminator discriminator{DiscriminatorOptions()};
@@ -60,12 +67,7 @@ TEST(PredictedTargets, ATruckEndsWhereItsBoxDoesWhereItStandsAndItsSizeIsKnown)
 
 TEST(PredictedTargets, ATruckIsOneWhereItDrivesAndItsWidthWasSeen)
 {
-    Track truck;
-    truck.state.mean << 10.0, 0.0, 0.0, 0.0, 0.0, 1.2, 9.0;
-    truck.state.width = 2.5;
-    truck.height = 3.0;
-    truck.judgement.probability = 0.9;
-    truck.told.width = true;
+    const Track truck = truckOfKnownWidth();
     const auto drives = [](const Track& track)
     {
         const Discriminator discriminator{DiscriminatorOptions()};
