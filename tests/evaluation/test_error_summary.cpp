@@ -77,10 +77,13 @@ TEST(ErrorSummary, GroupsAreHalfOpenAndLeaveOutTheUnknown)
                                      pairWith(60.0, 200, "R"), pairWith(1e3, 5000, "FB")};
     errors.push_back(pairWith(0.0, -1, "F"));
     errors.back().range.reset();
+    const double sigmas[] = {0.02, 0.2499, 0.25, 0.49, 0.5, 0.99, 1.0, 3.0};
+    for (std::size_t k = 0; k < 8; ++k) errors[k].lengthSigma = sigmas[k];
     using Counts = std::vector<std::size_t>;
     EXPECT_EQ(countsOf(byRange(errors)), (Counts{2, 1, 1, 2, 2}));
     EXPECT_EQ(countsOf(byPoints(errors)), (Counts{2, 2, 2, 2}));
     EXPECT_EQ(countsOf(byFaces(errors)), (Counts{4, 2, 2, 1}));
+    EXPECT_EQ(countsOf(byLengthSigma(errors)), (Counts{2, 2, 2, 2}));
 }
 
 TEST(ErrorSummary, PhantomSpeedIsThatOfStillObjects)

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "experiments/sweep_fixture.h"
+#include "vdamf/evaluation/evaluation.h"
+#include "vdamf/evaluation/evaluation_json.h"
 #include "vdamf/experiments/metric_names.h"
 #include "vdamf/experiments/setting_configuration.h"
 #include "vdamf/rawlog/configuration.h"
@@ -151,6 +153,19 @@ TEST(MetricNames, AreThoseOfTheEvaluation)
                      "errors.flips", "errors_by_range_m.10-20.position_m.median",
                      "discriminator.area_under_curve.value", "consistency.nees_pose.mean"}));
     EXPECT_THAT(errorOf([] { checkMetricName("idf1"); }), HasSubstr("unknown metric 'idf1'"));
+}
+
+TEST_F(PrepareSweep, EachMetricIsFoundInWhatTheEvaluationWrites)
+{
+    TruthRow car;
+    car.objectId = "car";
+    car.objectClass = "Car";
+    car.box = {0.0, 0.0, 0.0, 4.0, 2.0};
+    TrackRow track;
+    track.report.status = TrackStatus::Confirmed;
+    track.report.box = car.box;
+    const auto file = make("metrics.json", toJson(evaluate({car}, {track})));
+    EXPECT_THAT(readMetrics(file, metricNames()), SizeIs(metricNames().size()));
 }
 
 }  // namespace

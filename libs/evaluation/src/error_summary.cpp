@@ -13,6 +13,8 @@ namespace vdamf
 {
 namespace
 {
+constexpr double kEndless = std::numeric_limits<double>::infinity();
+
 using Condition = std::function<bool(const PoseError&)>;
 
 std::vector<double> valuesOf(const std::vector<PoseError>& errors, double PoseError::*member)
@@ -50,9 +52,13 @@ std::vector<ErrorGroup> grouped(const std::vector<PoseError>& errors,
     return groups;
 }
 
-Condition rangeFrom(double low, double high)
+Condition valueFrom(std::optional<double> PoseError::*member, double low, double high)
 {
-    return [=](const PoseError& e) { return e.range && *e.range >= low && *e.range < high; };
+    return [=](const PoseError& e)
+    {
+        const std::optional<double>& value = e.*member;
+        return value && *value >= low && *value < high;
+    };
 }
 
 Condition pointsFrom(int low, int high)
@@ -101,12 +107,13 @@ ErrorSummary summaryOf(const std::vector<PoseError>& errors)
 
 std::vector<ErrorGroup> byRange(const std::vector<PoseError>& errors)
 {
-    constexpr double kFar = std::numeric_limits<double>::infinity();
-    return grouped(errors, {{"0-10", rangeFrom(0.0, 10.0)},
-                            {"10-20", rangeFrom(10.0, 20.0)},
-                            {"20-40", rangeFrom(20.0, 40.0)},
-                            {"40-60", rangeFrom(40.0, 60.0)},
-                            {"60+", rangeFrom(60.0, kFar)}});
+    const auto from = [](double low, double high)
+    { return valueFrom(&PoseError::range, low, high); };
+    return grouped(errors, {{"0-10", from(0.0, 10.0)},
+                            {"10-20", from(10.0, 20.0)},
+                            {"20-40", from(20.0, 40.0)},
+                            {"40-60", from(40.0, 60.0)},
+                            {"60+", from(60.0, kEndless)}});
 }
 
 std::vector<ErrorGroup> byPoints(const std::vector<PoseError>& errors)
@@ -124,6 +131,16 @@ std::vector<ErrorGroup> byFaces(const std::vector<PoseError>& errors)
                             {"side only", facesAre(false, true)},
                             {"both", facesAre(true, true)},
                             {"none", facesAre(false, false)}});
+}
+
+std::vector<ErrorGroup> byLengthSigma(const std::vector<PoseError>& errors)
+{
+    const auto from = [](double low, double high)
+    { return valueFrom(&PoseError::lengthSigma, low, high); };
+    return grouped(errors, {{"0-25", from(0.0, 0.25)},
+                            {"25-50", from(0.25, 0.5)},
+                            {"50-100", from(0.5, 1.0)},
+                            {"100+", from(1.0, kEndless)}});
 }
 
 std::size_t flipsOfMoving(const std::vector<PoseError>& errors, double stillSpeed)

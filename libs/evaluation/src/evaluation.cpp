@@ -86,6 +86,7 @@ Evaluation withErrors(Evaluation evaluation, const Sequence& sequence)
     evaluation.errorsByRange = byRange(evaluation.pairs);
     evaluation.errorsByPoints = byPoints(evaluation.pairs);
     evaluation.errorsByFaces = byFaces(evaluation.pairs);
+    evaluation.errorsByLengthSigma = byLengthSigma(evaluation.pairs);
     evaluation.flipsOfMoving = flipsOfMoving(evaluation.pairs, evaluation.options.stillSpeed);
     evaluation.phantomSpeed = phantomSpeed(evaluation.pairs, evaluation.options.stillSpeed);
     evaluation.standingScatter = standingScatter(evaluation.pairs, evaluation.options.stillSpeed);

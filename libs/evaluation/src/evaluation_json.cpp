@@ -198,6 +198,7 @@ std::string toJson(const Evaluation& e)
                        {"errors_by_range_m", groupsJson(e.errorsByRange)},
                        {"errors_by_points", groupsJson(e.errorsByPoints)},
                        {"errors_by_faces_seen", groupsJson(e.errorsByFaces)},
+                       {"errors_by_length_sigma_cm", groupsJson(e.errorsByLengthSigma)},
                        {"flips_of_moving_objects", e.flipsOfMoving},
                        {"phantom_speed_mps", statisticsJson(e.phantomSpeed)},
                        {"standing_scatter_m", statisticsJson(e.standingScatter)},

@@ -136,7 +136,8 @@ std::string allGroupsText(const Evaluation& e)
 {
     const std::string groups = groupsText(" range, m", e.errorsByRange) +
                                groupsText(" hits on the object", e.errorsByPoints) +
-                               groupsText(" faces seen", e.errorsByFaces);
+                               groupsText(" faces seen", e.errorsByFaces) +
+                               groupsText(" told sigma of the length, cm", e.errorsByLengthSigma);
     if (groups.empty()) return "";
     std::string header = leftCell("Medians", 14) + rightCell("pairs", 7);
     for (const char* name : {"centre", "corner", "heading", "speed", "length", "width", "overlap"})

@@ -50,6 +50,9 @@ std::vector<ErrorGroup> byRange(const std::vector<PoseError>& errors);
 std::vector<ErrorGroup> byPoints(const std::vector<PoseError>& errors);
 /// Faces that the track says were seen: end only, side only, both, none.
 std::vector<ErrorGroup> byFaces(const std::vector<PoseError>& errors);
+/// Standard deviation of the length that the track tells, cm: 0-25, 25-50, 50-100, 100+. Where the
+/// far end of a vehicle was not seen, half of what its length errs is in its position.
+std::vector<ErrorGroup> byLengthSigma(const std::vector<PoseError>& errors);
 
 /// Pairs with front taken for rear whose object moves: at standstill nothing tells the front.
 std::size_t flipsOfMoving(const std::vector<PoseError>& errors, double stillSpeed);

@@ -72,6 +72,7 @@ struct Evaluation
     std::vector<ErrorGroup> errorsByRange;
     std::vector<ErrorGroup> errorsByPoints;
     std::vector<ErrorGroup> errorsByFaces;
+    std::vector<ErrorGroup> errorsByLengthSigma;
     std::size_t flipsOfMoving = 0;
     ErrorStatistics phantomSpeed;
     ErrorStatistics standingScatter;

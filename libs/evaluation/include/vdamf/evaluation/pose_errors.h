@@ -42,7 +42,8 @@ struct PoseError
     std::optional<double> yawRate;
     double length = 0.0;
     double width = 0.0;
-    double overlap = 0.0;  ///< bird's-eye IoU
+    std::optional<double> lengthSigma;  ///< how sure of its length the track says it is
+    double overlap = 0.0;               ///< bird's-eye IoU
 
     std::optional<double> range;  ///< of the object's centre from the sensor
     int points = -1;              ///< hits on the object, -1 if unknown
