@@ -13,8 +13,6 @@ namespace vdamf
 {
 namespace
 {
-constexpr double kEndless = std::numeric_limits<double>::infinity();
-
 using Condition = std::function<bool(const PoseError&)>;
 
 std::vector<double> valuesOf(const std::vector<PoseError>& errors, double PoseError::*member)
@@ -52,13 +50,25 @@ std::vector<ErrorGroup> grouped(const std::vector<PoseError>& errors,
     return groups;
 }
 
-Condition valueFrom(std::optional<double> PoseError::*member, double low, double high)
+// Each group from its value up to that of the next one.
+std::vector<ErrorGroup> groupedBy(std::optional<double> PoseError::*member,
+                                  const std::vector<PoseError>& errors,
+                                  const std::vector<std::pair<std::string, double>>& groups)
 {
-    return [=](const PoseError& e)
+    std::vector<std::pair<std::string, Condition>> conditions;
+    for (std::size_t k = 0; k < groups.size(); ++k)
     {
-        const std::optional<double>& value = e.*member;
-        return value && *value >= low && *value < high;
-    };
+        const double low = groups[k].second;
+        const double high =
+            k + 1 < groups.size() ? groups[k + 1].second : std::numeric_limits<double>::infinity();
+        conditions.emplace_back(groups[k].first,
+                                [=](const PoseError& e)
+                                {
+                                    const std::optional<double>& value = e.*member;
+                                    return value && *value >= low && *value < high;
+                                });
+    }
+    return grouped(errors, conditions);
 }
 
 Condition pointsFrom(int low, int high)
@@ -107,13 +117,9 @@ ErrorSummary summaryOf(const std::vector<PoseError>& errors)
 
 std::vector<ErrorGroup> byRange(const std::vector<PoseError>& errors)
 {
-    const auto from = [](double low, double high)
-    { return valueFrom(&PoseError::range, low, high); };
-    return grouped(errors, {{"0-10", from(0.0, 10.0)},
-                            {"10-20", from(10.0, 20.0)},
-                            {"20-40", from(20.0, 40.0)},
-                            {"40-60", from(40.0, 60.0)},
-                            {"60+", from(60.0, kEndless)}});
+    return groupedBy(
+        &PoseError::range, errors,
+        {{"0-10", 0.0}, {"10-20", 10.0}, {"20-40", 20.0}, {"40-60", 40.0}, {"60+", 60.0}});
 }
 
 std::vector<ErrorGroup> byPoints(const std::vector<PoseError>& errors)
@@ -135,12 +141,8 @@ std::vector<ErrorGroup> byFaces(const std::vector<PoseError>& errors)
 
 std::vector<ErrorGroup> byLengthSigma(const std::vector<PoseError>& errors)
 {
-    const auto from = [](double low, double high)
-    { return valueFrom(&PoseError::lengthSigma, low, high); };
-    return grouped(errors, {{"0-25", from(0.0, 0.25)},
-                            {"25-50", from(0.25, 0.5)},
-                            {"50-100", from(0.5, 1.0)},
-                            {"100+", from(1.0, kEndless)}});
+    return groupedBy(&PoseError::lengthSigma, errors,
+                     {{"0-25", 0.0}, {"25-50", 0.25}, {"50-100", 0.5}, {"100+", 1.0}});
 }
 
 std::size_t flipsOfMoving(const std::vector<PoseError>& errors, double stillSpeed)

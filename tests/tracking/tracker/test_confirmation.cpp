@@ -153,14 +153,21 @@ TEST_F(Confirmation, WaitsAfterAHopOnToSomethingElse)
     EXPECT_EQ(track_.surprisedAt, 4);
 }
 
-TEST_F(Confirmation, OfFewHitsWhatDrivesMayBeOnParkedCarsInTurn)
+// Seen to drive for a while, m/s.
+Track onItsWay(double speed)
 {
     Track track = standing();
-    track.state.mean(kSpeed) = track.hypotheses->driving.front().mean(kSpeed) = 20.0;
+    track.state.mean(kSpeed) = track.hypotheses->driving.front().mean(kSpeed) = speed;
     HeadingCues cues;
     cues.side = FaceExtent{4.3, 1.0};
-    cues.course = HeadingCues::Course{0.0, 20.0};
+    cues.course = HeadingCues::Course{0.0, speed};
     for (int k = 0; k < 10; ++k) track.front = track.front.after(cues);
+    return track;
+}
+
+TEST_F(Confirmation, OfFewHitsWhatDrivesMayBeOnParkedCarsInTurn)
+{
+    Track track = onItsWay(20.0);
     ASSERT_GT(track.front.forwardProbability(), 0.9);
     EXPECT_EQ(sightingsUntilConfirmed(track, options_.lifecycle), 3);
     track.hits = 15;
@@ -170,13 +177,8 @@ TEST_F(Confirmation, OfFewHitsWhatDrivesMayBeOnParkedCarsInTurn)
 // Of known speed and front, and surely a vehicle.
 Track driving(double speed)
 {
-    Track track = standing();
+    Track track = onItsWay(speed);
     track.hypotheses->standingProbability = 0.0;
-    track.state.mean(kSpeed) = track.hypotheses->driving.front().mean(kSpeed) = speed;
-    HeadingCues cues;
-    cues.side = FaceExtent{4.3, 1.0};
-    cues.course = HeadingCues::Course{0.0, speed};
-    for (int k = 0; k < 10; ++k) track.front = track.front.after(cues);
     track.judgement.probability = 0.9;
     return track;
 }

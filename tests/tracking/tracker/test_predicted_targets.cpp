@@ -7,6 +7,11 @@ namespace vdamf
 {
 namespace
 {
+PredictedTarget targetOf(const Track& track)
+{
+    return predictedTargets({track}, Discriminator(DiscriminatorOptions())).front();
+}
+
 PredictedTarget targetOf(double probability, double width, double height)
 {
     Track track;
@@ -14,7 +19,7 @@ PredictedTarget targetOf(double probability, double width, double height)
     track.state.width = width;
     track.height = height;
     track.judgement.probability = probability;
-    return predictedTargets({track}, Discriminator(DiscriminatorOptions())).front();
+    return targetOf(track);
 }
 
 Track truckOfKnownWidth()
@@ -46,12 +51,7 @@ TEST(PredictedTargets, ATruckEndsWhereItsBoxDoesWhereItStandsAndItsSizeIsKnown)
     truck.state.covariance(kLength, kLength) = truck.state.widthVariance = 0.2 * 0.2;
     truck.stoodProbability = 0.9;
     truck.told.length = true;
-    const auto isBounded = [](const Track& track)
-    {
-        const Discriminator discriminator{DiscriminatorOptions()};
-        return predictedTargets({track}, discriminator).front().isBounded;
-    };
-    EXPECT_TRUE(isBounded(truck));
+    EXPECT_TRUE(targetOf(truck).isBounded);
     for (const auto& change :
          {+[](Track& t) { t.stoodProbability = 0.1; }, +[](Track& t) { t.told.length = false; },
           +[](Track& t) { t.told.width = false; }, +[](Track& t) { t.state.width = 5.0; },
@@ -61,19 +61,14 @@ TEST(PredictedTargets, ATruckEndsWhereItsBoxDoesWhereItStandsAndItsSizeIsKnown)
     {
         Track other = truck;
         change(other);
-        EXPECT_FALSE(isBounded(other));
+        EXPECT_FALSE(targetOf(other).isBounded);
     }
 }
 
 TEST(PredictedTargets, ATruckIsOneWhereItDrivesAndItsWidthWasSeen)
 {
     const Track truck = truckOfKnownWidth();
-    const auto drives = [](const Track& track)
-    {
-        const Discriminator discriminator{DiscriminatorOptions()};
-        return predictedTargets({track}, discriminator).front().isDrivingTruck;
-    };
-    EXPECT_TRUE(drives(truck));
+    EXPECT_TRUE(targetOf(truck).isDrivingTruck);
     for (const auto& change :
          {+[](Track& t) { t.stoodProbability = 0.9; }, +[](Track& t) { t.told.width = false; },
           +[](Track& t) { t.judgement.probability = 0.7; }, +[](Track& t) { t.state.width = 5.0; },
@@ -85,7 +80,7 @@ TEST(PredictedTargets, ATruckIsOneWhereItDrivesAndItsWidthWasSeen)
     {
         Track other = truck;
         change(other);
-        EXPECT_FALSE(drives(other));
+        EXPECT_FALSE(targetOf(other).isDrivingTruck);
     }
 }
 

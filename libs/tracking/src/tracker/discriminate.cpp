@@ -28,7 +28,7 @@ bool drives(const Track& track)
         track.around.width < kThinnest || track.around.width > kWidest)
         return false;
     const double speed = std::abs(track.state.mean(kSpeed));
-    if (speed - kSigmas * std::sqrt(track.state.covariance(kSpeed, kSpeed)) < kFast) return false;
+    if (speed - kSigmas * track.state.speedSigma() < kFast) return false;
     const PathPoint& first = track.path.front();
     const PathPoint& middle = track.path[track.path.size() / 2];
     const PathPoint& last = track.path.back();

@@ -69,17 +69,12 @@ double hitProbability(const Track& track, const LifecycleOptions& options)
     return options.hitProbability * track.lastHits / (track.lastHits + kFew);
 }
 
-double speedSigmaOf(const VehicleState& state)
-{
-    return std::sqrt(state.covariance(kSpeed, kSpeed));
-}
-
 // Whether it likely stands, or its speed is known well. A second sighting that shows more of what
 // stands looks like one of what drives, but not as sure.
 bool isSpeedSure(const Track& track)
 {
     constexpr double kSure = 0.8;  // m/s
-    return track.hypotheses->standingProbability >= 0.5 || speedSigmaOf(track.state) < kSure;
+    return track.hypotheses->standingProbability >= 0.5 || track.state.speedSigma() < kSure;
 }
 
 bool isVehicleOfKnownSpeed(const Track& track)
@@ -95,11 +90,11 @@ bool isSpeedVague(const Track& track, const LifecycleOptions& options)
     const bool isFew = isHardlySeen(track);
     const VehicleState& told = isFew ? track.hypotheses->driving.front() : track.state;
     const double speed = std::abs(told.mean(kSpeed));
-    const double error = 2.0 * speedSigmaOf(told);
+    const double error = 2.0 * told.speedSigma();
     const bool mayBeEither = isFew && (speed - error < kStill || !isVehicleOfKnownSpeed(track));
     const double forward =
         std::min(track.front.forwardProbability(), track.front.forwardProbabilityByCourse());
-    return speedSigmaOf(track.state) > options.confirmSpeedSigma ||
+    return track.state.speedSigma() > options.confirmSpeedSigma ||
            (speed + error > kStill && (mayBeEither || forward < options.confirmAxes));
 }
 

@@ -21,7 +21,7 @@ bool isSurelyDriving(const MotionHypotheses& hypotheses)
     constexpr double kSlow = 3.0;     // m/s
     constexpr double kSigmas = 5.0;
     const VehicleState& driving = hypotheses.driving.front();
-    const double sigma = std::sqrt(driving.covariance(kSpeed, kSpeed));
+    const double sigma = driving.speedSigma();
     return hypotheses.standingProbability < kStands &&
            std::abs(driving.mean(kSpeed)) > std::max(kSlow, kSigmas * sigma);
 }

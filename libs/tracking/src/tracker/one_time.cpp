@@ -139,7 +139,7 @@ TargetMotion motionOf(const VehicleState& state)
     motion.yawRate = state.yawRate();
     motion.velocity =
         rotation(state.mean(kHeading)) * Eigen::Vector2d(v, state.mean(kAxis) * motion.yawRate);
-    motion.speedSigma = std::sqrt(state.covariance(kSpeed, kSpeed));
+    motion.speedSigma = state.speedSigma();
     return motion;
 }
 

@@ -99,7 +99,7 @@ bool OutOfSight::mayBe(const Departure& gone, const Track& found, double time)
     if (std::abs(bend.turn) > kMostTurn ||
         std::abs(bend.skew) > kStraight + kUneven * std::abs(bend.turn))
         return false;
-    const double speedSigma = std::sqrt(found.state.covariance(kSpeed, kSpeed));
+    const double speedSigma = found.state.speedSigma();
     const double mean = bend.length / dt;
     const auto differs = [&](double speed, double sigma)
     { return std::abs(speed - mean) > kChangeOfSpeed * mean + kAnyway / dt + 2.0 * sigma; };

@@ -2,7 +2,6 @@
 #include "tracker/predicted_targets.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "association/vehicle_surface.h"
 #include "vdamf/tracking/estimation/assumed_size.h"
@@ -42,7 +41,7 @@ std::vector<PredictedTarget> predictedTargets(const std::vector<Track>& tracks,
         target.lengthSigma = isAsLarge ? track.lengthSigma() : 0.0;
         target.widthSigma = isAsLarge ? track.widthSigma() : 0.0;
         target.velocity = track.velocity();
-        target.speedSigma = std::sqrt(track.state.covariance(kSpeed, kSpeed));
+        target.speedSigma = track.state.speedSigma();
         target.speedCovariance = track.speedCovariance();
         const double probability = discriminator.vehicleProbability(track);
         target.isBounded =

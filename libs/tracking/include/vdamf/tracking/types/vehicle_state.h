@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 
 #include "vdamf/tracking/types/geometry.h"
 
@@ -51,6 +52,8 @@ struct VehicleState
 
     /// Of what follows its wheels, rad/s.
     double yawRate() const { return mean(kSpeed) * mean(kCurvature); }
+    /// The same, m/s.
+    double speedSigma() const { return std::sqrt(covariance(kSpeed, kSpeed)); }
 
     Eigen::Vector2d size() const { return {mean(kLength), width}; }
     Eigen::Vector2d sizeVariance() const { return {covariance(kLength, kLength), widthVariance}; }
