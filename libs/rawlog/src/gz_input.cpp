@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gz_input.h"
 
+#include <isa-l/igzip_lib.h>
 #include <unistd.h>
-#include <zlib.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -21,7 +21,9 @@ namespace fs = std::filesystem;
 constexpr std::uintmax_t kInputBytes = 256 * 1024;
 constexpr std::uintmax_t kLeastInputBytes = 4 * 1024;
 constexpr std::size_t kHeaderBytes = 10;
-constexpr int kGzipWindowBits = 15 + 16;
+// Takes all that ISA-L holds back: what comes before a damage is delivered.
+constexpr std::size_t kInflatedBytes = 128 * 1024;
+static_assert(kInflatedBytes > sizeof(inflate_state::tmp_out_buffer));
 
 /// The fixed part of a member's header (RFC 1952): magic, deflate, no reserved flag, and an extra
 /// flag and operating system that exist, so that chance hardly ever looks like one.
@@ -31,13 +33,33 @@ bool looksLikeMember(const unsigned char* bytes)
     const bool flags = (bytes[3] & 0xe0) == 0 && (bytes[8] == 0 || bytes[8] == 2 || bytes[8] == 4);
     return magic && flags && (bytes[9] <= 13 || bytes[9] == 255);
 }
-}  // namespace
-
-void GzInput::EndInflate::operator()(z_stream_s* stream) const
+void restart(inflate_state& inflater)
 {
-    inflateEnd(stream);
-    delete stream;
+    isal_inflate_init(&inflater);
+    inflater.crc_flag = ISAL_GZIP;
 }
+
+const char* reasonOf(int status)
+{
+    switch (status)
+    {
+        case ISAL_INVALID_BLOCK:
+            return "invalid block";
+        case ISAL_INVALID_SYMBOL:
+            return "invalid symbol";
+        case ISAL_INVALID_LOOKBACK:
+            return "reference to bytes before its begin";
+        case ISAL_INVALID_WRAPPER:
+            return "invalid header";
+        case ISAL_UNSUPPORTED_METHOD:
+            return "unknown compression method";
+        case ISAL_INCORRECT_CHECKSUM:
+            return "wrong checksum";
+        default:
+            return "no reason given";
+    }
+}
+}  // namespace
 
 GzInput::GzInput(const fs::path& path)
 {
@@ -53,11 +75,8 @@ GzInput::GzInput(const fs::path& path)
     const bool gz = isGz();
     if (!readError_.empty()) failAt(path, "cannot read: " + readError_);
     if (!gz) return;
-    inflater_.reset(new z_stream_s{});
-    if (inflateInit2(inflater_.get(), kGzipWindowBits) != Z_OK)
-    {
-        failAt(path, "cannot start gz decompression");
-    }
+    inflater_.reset(new inflate_state);
+    inflated_.resize(kInflatedBytes);
 }
 
 GzInput::~GzInput() = default;
@@ -103,9 +122,10 @@ bool GzInput::require(std::size_t bytes)
 std::size_t GzInput::read(char* to, std::size_t room)
 {
     std::size_t done = 0;
-    while (done < room && !finished_)
+    while (done < room && (delivered_ < ready_ || !finished_))
     {
-        done += inflater_ ? inflateSome(to + done, room - done) : readPlain(to + done, room - done);
+        done +=
+            inflater_ ? readInflated(to + done, room - done) : readPlain(to + done, room - done);
     }
     return done;
 }
@@ -119,33 +139,40 @@ std::size_t GzInput::readPlain(char* to, std::size_t room)
     return size;
 }
 
-std::size_t GzInput::inflateSome(char* to, std::size_t room)
+std::size_t GzInput::readInflated(char* to, std::size_t room)
+{
+    if (delivered_ == ready_) inflateMore();
+    const std::size_t size = std::min(room, ready_ - delivered_);
+    std::memcpy(to, inflated_.data() + delivered_, size);
+    delivered_ += size;
+    return size;
+}
+
+void GzInput::inflateMore()
 {
     if (!inMember_) beginMember();
-    if (finished_) return 0;
-    if (!require(1))
+    // What filled all the room may not have been all.
+    const bool mayHoldMore = ready_ == inflated_.size();
+    delivered_ = ready_ = 0;
+    if (finished_) return;
+    if (!mayHoldMore && !require(1))
     {
         if (readError_.empty()) report("the gz stream ends early");
         finished_ = true;
-        return 0;
+        return;
     }
-    z_stream_s& stream = *inflater_;
-    const std::size_t limited = std::min<std::size_t>(room, 1u << 30);
-    stream.next_in = input_.data() + begin_;
-    stream.avail_in = static_cast<uInt>(available());
-    stream.next_out = reinterpret_cast<Bytef*>(to);
-    stream.avail_out = static_cast<uInt>(limited);
-    const int status = inflate(&stream, Z_NO_FLUSH);
-    begin_ = end_ - stream.avail_in;
-    if (status == Z_STREAM_END) inMember_ = false;
-    if (status == Z_MEM_ERROR) throw std::bad_alloc();
-    if (status != Z_OK && status != Z_STREAM_END && status != Z_BUF_ERROR)
-    {
-        report(std::string("the gz stream is damaged (") +
-               (stream.msg != nullptr ? stream.msg : "no reason given") + ")");
-        findNextMember();
-    }
-    return limited - stream.avail_out;
+    inflate_state& inflater = *inflater_;
+    inflater.next_in = input_.data() + begin_;
+    inflater.avail_in = static_cast<std::uint32_t>(available());
+    inflater.next_out = inflated_.data();
+    inflater.avail_out = static_cast<std::uint32_t>(inflated_.size());
+    const int status = isal_inflate(&inflater);
+    begin_ = end_ - inflater.avail_in;
+    ready_ = inflated_.size() - inflater.avail_out;
+    if (inflater.block_state == ISAL_BLOCK_FINISH) inMember_ = false;
+    if (status >= 0) return;
+    report(std::string("the gz stream is damaged (") + reasonOf(status) + ")");
+    findNextMember();
 }
 
 /// At the begin of the file or behind a member: another one, or the end.
@@ -159,7 +186,7 @@ void GzInput::beginMember()
     const bool isMember = require(2) && input_[begin_] == 0x1f && input_[begin_ + 1] == 0x8b;
     if (isMember)
     {
-        inflateReset(inflater_.get());
+        restart(*inflater_);
         inMember_ = true;
         return;
     }
@@ -176,7 +203,7 @@ void GzInput::findNextMember()
         {
             if (!looksLikeMember(input_.data() + begin_)) continue;
             report("reading goes on");
-            inflateReset(inflater_.get());
+            restart(*inflater_);
             inMember_ = true;
             return;
         }

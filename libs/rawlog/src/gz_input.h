@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-struct z_stream_s;
+struct inflate_state;  // of ISA-L
 
 namespace vdamf
 {
@@ -44,25 +44,25 @@ private:
     {
         void operator()(std::FILE* file) const { std::fclose(file); }
     };
-    struct EndInflate
-    {
-        void operator()(z_stream_s* stream) const;
-    };
 
     bool isGz();
     std::size_t available() const { return end_ - begin_; }
     bool require(std::size_t bytes);
     std::size_t readPlain(char* to, std::size_t room);
-    std::size_t inflateSome(char* to, std::size_t room);
+    std::size_t readInflated(char* to, std::size_t room);
+    void inflateMore();
     void beginMember();
     void findNextMember();
     void report(const std::string& what);
 
     std::unique_ptr<std::FILE, Close> file_;
-    std::unique_ptr<z_stream_s, EndInflate> inflater_;  // null: the file is plain
-    std::vector<unsigned char> input_;                  // compressed; [begin_, end_) is ahead
+    std::unique_ptr<inflate_state> inflater_;  // null: the file is plain
+    std::vector<unsigned char> input_;         // compressed; [begin_, end_) is ahead
     std::size_t begin_ = 0;
     std::size_t end_ = 0;
+    std::vector<unsigned char> inflated_;  // [delivered_, ready_) is ahead
+    std::size_t delivered_ = 0;
+    std::size_t ready_ = 0;
     bool inMember_ = false;
     bool finished_ = false;
     std::uint64_t taken_ = 0;  // from the file
