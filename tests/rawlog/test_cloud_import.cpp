@@ -102,6 +102,35 @@ TEST_F(CloudImportTest, TimesAreFromAFileOrNamesOrPoses)
     EXPECT_NEAR(scans().at(1).time, 1317042146.5, 1e-6);
 }
 
+TEST_F(CloudImportTest, TimesInAnotherUnitAreRefusedButInNames)
+{
+    cloud("a.ply", 1);
+    for (const std::string time :
+         {"1317044500414000034", "1317044500414000", "1317044500414", "1e30", "-1e30"})
+    {
+        job_.times = make("times.txt", "# s\n" + time + "\n");
+        EXPECT_THAT(error(), HasSubstr("times.txt:2: '" + time + "' is no time in seconds"));
+        job_.times.clear();
+        job_.poses = make("p.tum", time + " 0 0 0 0 0 0 1\n");
+        EXPECT_THAT(error(), HasSubstr("p.tum:1: '" + time + "' is no time in seconds"));
+        job_.poses.clear();
+    }
+    job_.times = make("times.txt", "-0.5\n");
+    EXPECT_EQ(error(), "none");
+    job_.times.clear();
+    std::filesystem::remove(at("in/a.ply"));
+    for (const std::string name :
+         {"1317044500", "1317044500.25", "1317044500250", "1317044500250.5", "1317044500250000034"})
+    {
+        cloud(name + ".ply", 1);
+        ASSERT_EQ(error(), "none") << name;
+        EXPECT_NEAR(scans().at(0).time, 1317044500.0, 0.26) << name;
+        std::filesystem::remove(at("in/" + name + ".ply"));
+    }
+    cloud("1000000000000000000000.5.ply", 1);
+    EXPECT_THAT(error(), HasSubstr("times of the clouds are not known"));
+}
+
 TEST_F(CloudImportTest, PosesOfEitherFormat)
 {
     cloud("1.ply", 1);

@@ -4,6 +4,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "time_unit.h"
 #include "vdamf/files/numbers.h"
 
 namespace vdamf
@@ -15,20 +16,14 @@ namespace fs = std::filesystem;
 /// The time that a file's name says: since 1970, in a unit that its size tells.
 std::optional<double> timeInName(const fs::path& file)
 {
-    constexpr double kNano = 1e17;  // as many nanoseconds, and so on, are in the seventies
-    constexpr double kMicro = 1e14;
-    constexpr double kMilli = 1e11;
-    constexpr double kSeconds = 1e8;
+    constexpr double kLeast = 1e8;  // s, in 1973; what is less is a number without a unit
     const std::string stem = file.stem().string();
     const auto number = parseNumber(stem);
     if (!number || *number < 0.0) return std::nullopt;
     const bool hasPoint = stem.find('.') != std::string::npos;
-    if (hasPoint) return number;
-    if (*number >= kNano) return *number * 1e-9;
-    if (*number >= kMicro) return *number * 1e-6;
-    if (*number >= kMilli) return *number * 1e-3;
-    if (*number >= kSeconds) return number;
-    return std::nullopt;
+    const double time = *number * secondsPerUnit(*number);
+    if (!isTimeInSeconds(time) || (time < kLeast && !hasPoint)) return std::nullopt;
+    return time;
 }
 
 std::optional<CloudTimes> timesInNames(const std::vector<fs::path>& clouds)

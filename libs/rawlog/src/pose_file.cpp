@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "kitti_numbers.h"
+#include "time_unit.h"
 #include "vdamf/files/numbers.h"
 #include "vdamf/files/text_file.h"
 #include "vdamf/rawlog/kitti_drive.h"
@@ -47,6 +48,14 @@ std::size_t countWords(std::string_view text)
         inWord = !blank;
     }
     return count;
+}
+
+/// The time is the line's first number.
+void checkTime(double time, std::string_view line, const std::string& where)
+{
+    if (isTimeInSeconds(time)) return;
+    throw std::runtime_error(where + ": " + inQuotes(line.substr(0, line.find_first_of(" \t"))) +
+                             " is no time in seconds");
 }
 
 FilePose fromTum(const std::vector<double>& n, const std::string& where)
@@ -89,6 +98,7 @@ std::vector<FilePose> readPoseFile(const std::filesystem::path& path)
                                      " columns; expected 8 (TUM: time tx ty tz qx qy qz qw) or 12 "
                                      "(KITTI: a 3x4 matrix by rows)");
         const std::vector<double> numbers = numbersOf(text, where, columns);
+        if (columns == kTum) checkTime(numbers.front(), text, where);
         poses.push_back(columns == kTum ? fromTum(numbers, where) : fromKitti(numbers, where));
         const bool rises = columns == kKitti || poses.size() < 2 ||
                            *poses.back().time > *poses[poses.size() - 2].time;
@@ -112,6 +122,7 @@ std::vector<double> readTimeFile(const std::filesystem::path& path)
     const auto use = [&](std::string_view text, const std::string& where)
     {
         const double time = numbersOf(text, where, 1).front();
+        checkTime(time, text, where);
         if (!times.empty() && time <= times.back())
             throw std::runtime_error(where + ": its time is not later than the one before");
         times.push_back(time);

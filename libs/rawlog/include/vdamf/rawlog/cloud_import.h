@@ -44,9 +44,10 @@ void checkPaths(const CloudImport& job);
 ///  - of each cloud a CObservationPointCloud (CPointsMapXYZI), or, where the hits have times, a
 ///    CObservationVelodyneScan that holds points alone: no other class of this MRPT holds them.
 /// The clouds' times are from the first of these that there is: the file of times; the rate; poses
-/// in TUM format, one for each cloud; the names of the files (seconds with a decimal point, or
-/// whole nano-, micro- or milliseconds since 1970). Names are sorted by the numbers in them. Throws
-/// std::runtime_error that names the file, and the line or byte.
+/// in TUM format, one for each cloud; the names of the files (seconds, or nano-, micro- or
+/// milliseconds since 1970, as their size tells; below 1e8 s with a decimal point alone). Names are
+/// sorted by the numbers in them. Throws std::runtime_error that names the file, and the line or
+/// byte.
 CloudImportSummary importClouds(const CloudImport& job);
 
 }  // namespace vdamf
