@@ -176,6 +176,18 @@ TEST(CloudFile, TimesAreTakenInTheUnitAskedFor)
     EXPECT_NEAR(parsePcd(floating, "c").times[2], 2e6, 1e-6);
 }
 
+TEST(CloudFile, HitsWithoutATimeAreLeftOut)
+{
+    const std::string floating = replaced(asciiPcd(), "TYPE F F F F U U", "TYPE F F F F U F");
+    const std::string damaged = replaced(floating, " 2000000\n", " nan\n");
+    const FileCloud cloud = parsePcd(damaged, "c");
+    ASSERT_EQ(cloud.points.size(), 48U);
+    ASSERT_EQ(cloud.times.size(), 48U);
+    EXPECT_FLOAT_EQ(cloud.points.x[2], x(3));
+    EXPECT_EQ(cloud.times[2], 3e6);
+    EXPECT_EQ(parsePcd(damaged, "c", PointTime::None).points.size(), 49U);
+}
+
 TEST(CloudFile, SaysWhatIsWrong)
 {
     EXPECT_THAT(cloudError("nothing"), HasSubstr("c.pcd:1: no PCD header"));

@@ -123,8 +123,8 @@ void CloudBuilder::reserve(std::size_t points)
 void CloudBuilder::append(double x, double y, double z, double intensity, double time)
 {
     constexpr double kFarthest = 1e6;  // m
-    const bool possible =
-        std::abs(x) < kFarthest && std::abs(y) < kFarthest && std::abs(z) < kFarthest;
+    const bool possible = std::abs(x) < kFarthest && std::abs(y) < kFarthest &&
+                          std::abs(z) < kFarthest && std::isfinite(time);
     if (!possible) return;
     cloud_.points.x.push_back(static_cast<float>(x));
     cloud_.points.y.push_back(static_cast<float>(y));

@@ -23,9 +23,9 @@ enum class PointTime
 };
 
 /// The hits of a file with the ending .pcd, .ply or .bin, in its own frame. Hits with a coordinate
-/// that is not finite are left out. Intensities (fields intensity, i, reflectivity, remission) come
-/// out as 0..1; times (fields t, time, timestamp, time_offset, offset_time) as they are, in s: from
-/// any origin. Throws std::runtime_error that names the file and the line or byte.
+/// or a time that is not finite are left out. Intensities (fields intensity, i, reflectivity,
+/// remission) come out as 0..1; times (fields t, time, timestamp, time_offset, offset_time) as they
+/// are, in s: from any origin. Throws std::runtime_error that names the file and the line or byte.
 struct FileCloud
 {
     PointCloud points;          ///< without times
