@@ -96,6 +96,27 @@ TEST_F(ArgoverseLog, ErrorsNameFileLineAndColumn)
     EXPECT_THROW(readArgoverseLog(at("missing")), std::runtime_error);
 }
 
+TEST_F(ArgoverseLog, ATimeThatNoSceneReachesIsNamed)
+{
+    for (const std::string wrong : {"9000000000000", "9000000000000000000", "-9000000000000000000"})
+    {
+        writeLog(at(""));
+        std::string poses = contentOf("city_SE3_egovehicle.csv");
+        const std::string right = "1100000000";
+        write(at("city_SE3_egovehicle.csv"), poses.replace(poses.find(right), right.size(), wrong));
+        EXPECT_THAT(errorOf([&] { readArgoverseLog(at("")); }),
+                    HasSubstr("city_SE3_egovehicle.csv:3: column 'timestamp_ns': " + wrong + ": "));
+    }
+}
+
+TEST_F(ArgoverseLog, WithoutLabelsIsNamed)
+{
+    writeLog(at(""));
+    write(at("annotations.csv"), kLabelHeader);
+    EXPECT_THAT(errorOf([&] { readArgoverseLog(at("")); }),
+                HasSubstr("annotations.csv: holds no label"));
+}
+
 Scenario scenarioIn(const std::filesystem::path& folder, const std::string& text)
 {
     return readScenario(IniDocument::parse(text, (folder / "scenario.ini").string()));
@@ -159,6 +180,21 @@ TEST_F(Traffic, ATruthTableGivesTheSameMotionBack)
         EXPECT_NEAR(again.scene.platform.at(time).speed, 8.0, 0.05);
     }
     EXPECT_EQ(again.scene.objects[1].trajectory.at(3.0).speed, 0.0);
+}
+
+TEST_F(Traffic, ATimeThatNoSceneReachesIsNamed)
+{
+    TruthRow row{100.0, "a", "Car", {0.0, 0.0, 0.0, 4.5, 1.8}, 0.0, 1.5, 0.0, -1, std::nullopt};
+    std::string table = truthHeader();
+    for (int i = 0; i < 6; ++i, row.time += 1.0) table += toCsv(row);
+    row.time = 100.0 + 3600.0;
+    write(at("hour.csv"), table + toCsv(row));
+    EXPECT_EQ(errorIn(at(""), "[traffic]\ntable = hour.csv\n"), "no error");
+    row.time = 1701000000.0;
+    write(at("truth.csv"), table + toCsv(row));
+    EXPECT_THAT(
+        errorIn(at(""), "[traffic]\ntable = truth.csv\n"),
+        HasSubstr("truth.csv: time_s 1701000000.000000: it is 1700999900.0 s from the first"));
 }
 
 TEST_F(Traffic, MistakesAreNamed)

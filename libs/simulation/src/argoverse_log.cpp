@@ -3,7 +3,10 @@
 #include <Eigen/Geometry>
 #include <cstdint>
 #include <map>
+#include <optional>
+#include <stdexcept>
 
+#include "recording_span.h"
 #include "vdamf/files/csv.h"
 #include "vdamf/simulation/recording.h"
 
@@ -34,7 +37,16 @@ EgoPoses readEgoPoses(const std::filesystem::path& path)
 {
     CsvReader reader(path, {"timestamp_ns", "qw", "qx", "qy", "qz", "tx_m", "ty_m", "tz_m"});
     EgoPoses poses;
-    while (reader.next()) poses[reader.integer("timestamp_ns")] = poseOf(reader);
+    std::optional<double> first;  // s
+    while (reader.next())
+    {
+        const Nanoseconds time = reader.integer("timestamp_ns");
+        const double now = 1e-9 * static_cast<double>(time);
+        if (!first) first = now;
+        const std::string problem = spanProblem(now - *first);
+        if (!problem.empty()) reader.fail("timestamp_ns", std::to_string(time) + ": " + problem);
+        poses[time] = poseOf(reader);
+    }
     return poses;
 }
 
@@ -116,34 +128,35 @@ double seconds(Nanoseconds time, Nanoseconds begin)
 Recording readArgoverseLog(const std::filesystem::path& folder)
 {
     const EgoPoses ego = readEgoPoses(folder / "city_SE3_egovehicle.csv");
-    CsvReader reader(folder / "annotations.csv",
-                     {"timestamp_ns", "track_uuid", "category", "length_m", "width_m", "height_m",
-                      "qw", "qx", "qy", "qz", "tx_m", "ty_m", "tz_m"});
+    const std::filesystem::path annotations = folder / "annotations.csv";
+    CsvReader reader(annotations, {"timestamp_ns", "track_uuid", "category", "length_m", "width_m",
+                                   "height_m", "qw", "qx", "qy", "qz", "tx_m", "ty_m", "tz_m"});
     Recording recording;
     std::map<std::string, std::size_t> indices;
-    Nanoseconds begin = 0;
+    std::optional<Nanoseconds> begin;
     Eigen::Vector3d origin = Eigen::Vector3d::Zero();
-    for (bool isFirst = true; reader.next(); isFirst = false)
+    while (reader.next())
     {
         const Nanoseconds time = reader.integer("timestamp_ns");
         const Eigen::Isometry3d egoPose = egoAt(ego, time, reader);
-        if (isFirst)
+        if (!begin)
         {
             begin = time;
             origin = egoPose.translation();
         }
-        if (time < begin) reader.fail("timestamp_ns", "labels must be in order of time");
+        if (time < *begin) reader.fail("timestamp_ns", "labels must be in order of time");
         if (reader.text("category") == "EGO_VEHICLE") continue;
         const auto [at, isNew] =
             indices.emplace(reader.text("track_uuid"), recording.objects.size());
         if (isNew) recording.objects.push_back(objectOf(reader));
         const Eigen::Isometry3d box = Eigen::Translation3d(-origin) * egoPose * poseOf(reader);
-        recording.objects[at->second].poses.push_back(inPlane(box, seconds(time, begin)));
+        recording.objects[at->second].poses.push_back(inPlane(box, seconds(time, *begin)));
     }
+    if (!begin) throw std::runtime_error(annotations.string() + ": holds no label");
     for (const auto& [time, pose] : ego)
     {
         recording.platform.push_back(
-            inPlane(Eigen::Translation3d(-origin) * pose, seconds(time, begin)));
+            inPlane(Eigen::Translation3d(-origin) * pose, seconds(time, *begin)));
     }
     return recording;
 }

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A truth table as a recording.
 #include <map>
+#include <stdexcept>
 #include <string>
 
+#include "recording_span.h"
 #include "vdamf/evaluation/tables.h"
 #include "vdamf/simulation/recording.h"
 
@@ -30,6 +32,10 @@ Recording readTruthTable(const std::filesystem::path& path)
     for (const TruthRow& row : readTruth(path))
     {
         if (recording.objects.empty()) begin = row.time;
+        const std::string problem = spanProblem(row.time - begin);
+        if (!problem.empty())
+            throw std::runtime_error(path.string() + ": time_s " + toFixedText(row.time, 6) + ": " +
+                                     problem);
         const auto [at, isNew] = indices.emplace(row.objectId, recording.objects.size());
         if (isNew)
         {

@@ -19,7 +19,7 @@ struct LabelledObject
     std::vector<LabelledPose> poses;  ///< of the box's centre, in order of time
 };
 
-/// Time 0 is the first label's.
+/// Time 0 is the first label's; none is further away than the longest scene lasts.
 struct Recording
 {
     std::vector<LabelledPose> platform;  ///< empty where the table does not say
@@ -34,6 +34,7 @@ struct Recording
 Recording readArgoverseLog(const std::filesystem::path& folder);
 
 /// A truth.csv (evaluation/tables.h), in its own frame. The platform is where the sensor was.
+/// Throws std::runtime_error that names the file and the cell or the time.
 Recording readTruthTable(const std::filesystem::path& path);
 
 }  // namespace vdamf

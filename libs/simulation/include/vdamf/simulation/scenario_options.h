@@ -9,6 +9,8 @@
 
 namespace vdamf
 {
+constexpr double kLongestScene = 3600.0;  ///< s
+
 /// Section [scenario].
 struct RunOptions
 {
@@ -21,7 +23,7 @@ struct RunOptions
     template <class Self, class Visitor>
     static void visit(Self& self, Visitor&& field)
     {
-        field(self.duration, "duration_s", 0.1, 3600.0, "length of the recording");
+        field(self.duration, "duration_s", 0.1, kLongestScene, "length of the recording");
         field(self.rate, "rate_hz", 1.0, 20.0, "scans of the LADAR");
         field(self.startTime, "start_time_s", 0.0, 4e9, "UNIX time of the first scan");
         field(self.insRate, "ins_rate_hz", 1.0, 1000.0, "pose observations of the platform");
