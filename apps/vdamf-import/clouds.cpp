@@ -4,6 +4,8 @@
 #include <map>
 
 #include "commands.h"
+#include "vdamf/files/ini.h"
+#include "vdamf/files/text_file.h"
 #include "vdamf/rawlog/cloud_import.h"
 
 namespace vdamf
@@ -14,6 +16,12 @@ const std::map<std::string, PointTime> kPointTimes{
     {"auto", PointTime::Auto},       {"none", PointTime::None},
     {"s", PointTime::Seconds},       {"ms", PointTime::Milliseconds},
     {"us", PointTime::Microseconds}, {"ns", PointTime::Nanoseconds}};
+
+/// Configurations name the sensor to track on by its label.
+std::string labelProblem(const std::string& label)
+{
+    return standsInIni(label) ? "" : inQuotes(label) + ": expected " + kIniText;
+}
 
 class Clouds : public ImportCommand
 {
@@ -39,6 +47,7 @@ public:
             ->check(CLI::IsMember({"auto", "none", "s", "ms", "us", "ns"}))
             ->capture_default_str();
         command->add_option("--label", job_.label, "sensorLabel of the scans")
+            ->check(CLI::Validator(labelProblem, ""))
             ->capture_default_str();
         declareSensorPose(*command, sensorPose_);
         declareOutput(*command);

@@ -111,6 +111,12 @@ TEST_F(ImportFormats, ABadCommandLineIsTwo)
         EXPECT_THAT(run.output,
                     AllOf(HasSubstr(bad.substr(0, bad.find(' '))), HasSubstr(": expected ")));
     }
+    for (const std::string label : {"front #1", "a ; b", "a //b", "#1", " a"})
+    {
+        const Outcome run = import("clouds in -o o --label '" + label + "'");
+        EXPECT_EQ(run.exitCode, 2) << label;
+        EXPECT_THAT(run.output, HasSubstr("--label: '" + label + "': expected a text without"));
+    }
     for (const char* bad : {"velodyne-pcap /none.pcap -o ", "clouds /none -o "})
     {
         const Outcome run = import(bad + path("o.rawlog"));

@@ -44,6 +44,10 @@ TEST_F(TrackErrors, RefusesBadConfigurationBeforeAnyOutput)
     run = track("-i " + kStreet + out("a.rawlog") + " -c " + path("missing.ini"));
     EXPECT_EQ(run.exitCode, 2);
     EXPECT_THAT(run.output, HasSubstr("missing.ini"));
+    run = track("-i " + kStreet + out("a.rawlog") + " --tracks " + path("t.csv") +
+                " --set 'scan.label=front #1'");
+    EXPECT_EQ(run.exitCode, 2);
+    EXPECT_THAT(run.output, HasSubstr("scan.label = 'front #1': expected a text without"));
     for (const char* bad : {"--frames 5", "--frames 9:3", "--frames a:b", "--nonsense", "-o"})
         EXPECT_EQ(track("-i " + kStreet + out("a.rawlog") + " " + bad).exitCode, 2) << bad;
     EXPECT_EQ(track(out("a.rawlog")).exitCode, 2);

@@ -155,6 +155,10 @@ TEST(Ini, AssignmentsOfTheCommandLine)
     EXPECT_EQ(errorOf([&] { read(document); }),
               "--set: paint.count = '50': expected a whole number from 1 to 10\n"
               "--set: unknown section [pint]; did you mean 'paint'?");
+    document.set("paint.count=5");
+    document.set("paint.label=tin #1");
+    EXPECT_THAT(errorOf([&] { read(document); }),
+                HasSubstr("--set: paint.label = 'tin #1': expected a text without line break"));
     for (const char* bad : {"paint.count", "count=5", ".count=5", "paint.=5", ""})
     {
         EXPECT_THAT(errorOf([&] { document.set(bad); }),
@@ -211,7 +215,7 @@ TEST(Ini, RoundTripIsExact)
 
 TEST(Ini, WriterRefusesTextThatWouldReadOtherwise)
 {
-    for (const char* bad : {"a\nb", " a", "a ", "a # b", "# a"})
+    for (const char* bad : {"a\nb", "a\r[b", " a", "a ", "a # b", "# a"})
     {
         PaintOptions options;
         options.label = bad;

@@ -183,6 +183,15 @@ TEST(Scenario, BadSegmentsAndSizesAreNamed)
     EXPECT_THAT(error, HasSubstr("small.ini:8: object a,b"));
 }
 
+TEST(Scenario, LabelsThatNoIniFileCanHoldAreRefused)
+{
+    IniDocument document;
+    document.set("sensor front #1.z_m=2");
+    EXPECT_THAT([&] { readScenario(document); },
+                testing::ThrowsMessage<IniError>(
+                    HasSubstr("[sensor front #1]: the name must be a text without line break")));
+}
+
 TEST(Segments, AreThreeNumbersEach)
 {
     EXPECT_TRUE(parseSegments("  ").empty());

@@ -107,6 +107,12 @@ private:
 };
 }  // namespace
 
+bool standsInIni(std::string_view value)
+{
+    return value.find_first_of("\r\n") == std::string_view::npos &&
+           trimmed(withoutComment(value)) == value;
+}
+
 IniDocument IniDocument::parse(std::string_view text, std::string fileName)
 {
     constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";

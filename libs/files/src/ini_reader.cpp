@@ -96,7 +96,10 @@ void IniReader::operator()(bool& v, const char* key, const char*)
 
 void IniReader::operator()(std::string& v, const char* key, const char*)
 {
-    if (const IniEntry* found = entry(key)) v = found->value;
+    const IniEntry* found = entry(key);
+    if (found == nullptr) return;
+    if (!standsInIni(found->value)) problem(*found, kIniText);
+    v = found->value;
 }
 
 int IniReader::readEnum(const char* key, const std::vector<std::string>& names, const char*)

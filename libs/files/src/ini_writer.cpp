@@ -77,9 +77,7 @@ void IniWriter::operator()(const bool& v, const char* key, const char* comment)
 
 void IniWriter::operator()(const std::string& v, const char* key, const char* comment)
 {
-    // What the parser makes of the line is what counts, whatever the text holds.
-    const IniDocument written = IniDocument::parse("[s]\nk = " + v.substr(0, v.find('\n')), key);
-    if (v.find('\n') != std::string::npos || written.find("s")->entries.front().value != v)
+    if (!standsInIni(v))
     {
         throw std::runtime_error("the text of '" + std::string(key) +
                                  "' cannot stand in an ini file: " + v);

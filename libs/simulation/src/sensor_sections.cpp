@@ -100,6 +100,8 @@ std::vector<SimulatedSensor> readSensors(const IniDocument& document, IniReader&
         reader.require(labels.insert(sensor.label).second,
                        "[" + section + "]: the label '" + sensor.label +
                            "' is taken already; choose another name");
+        reader.require(standsInIni(sensor.label),
+                       "[" + section + "]: the name must be " + kIniText);
         checkSensor(document, reader, section, sensor);
         sensors.push_back(sensor);
     }

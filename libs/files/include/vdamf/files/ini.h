@@ -28,6 +28,13 @@ struct IniSection
     std::vector<IniEntry> entries;
 };
 
+/// Whether a value that is written to an ini file reads back the same.
+bool standsInIni(std::string_view value);
+/// What such a value is, for messages.
+constexpr const char* kIniText =
+    "a text without line break, blank at its ends, or comment mark ('#', ';', '//') at its begin "
+    "or behind a blank";
+
 /// A parsed ini file. `[section]`, `key = value`; comments: a line that starts with `#`, `;` or
 /// `//`, and anything after ` //`, ` #` or ` ;` behind a value (a blank before the mark). Lines end
 /// with a line feed, a carriage return or both. A duplicate section or key, or a line that is
@@ -58,9 +65,10 @@ private:
 ///     reader.finish();  // throws IniError that lists every problem
 ///
 /// Problems found: unknown section or key (with the nearest known one), value that does not parse
-/// to its end, bool other than true/false, unknown enum name (with the names), out of range. All
-/// name file, line, section.key and what was expected. A key that is not in the document leaves
-/// its member as it is. Values of keys that end in `_deg` are degrees: `v = value * kPi / 180`.
+/// to its end, bool other than true/false, unknown enum name (with the names), out of range, text
+/// of a command line that no ini file can hold. All name file, line, section.key and what was
+/// expected. A key that is not in the document leaves its member as it is. Values of keys that end
+/// in `_deg` are degrees: `v = value * kPi / 180`.
 class IniReader
 {
 public:
@@ -116,7 +124,7 @@ public:
 
 /// Writes options structs as a commented ini text, the exact inverse of IniReader (round trip to
 /// the last bit: shortest decimal that reads back the same). Throws std::runtime_error for a text
-/// that an ini file cannot hold (line break, comment mark, blanks at its ends).
+/// that is not kIniText.
 ///
 ///     # largest gap inside a cluster (0.05 to 2)
 ///     gap_m = 0.4
