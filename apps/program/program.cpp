@@ -39,6 +39,26 @@ void declareCommon(CLI::App& app, const Program& program)
         { return name + ": " + error.what() + "\nRun with --help for more information.\n"; });
 }
 
+// CLI11 takes 010 for 8 and 0x10 for 16.
+void takeDecimals(CLI::App& app)
+{
+    const auto decimal = [](std::string& text)
+    {
+        const auto value = parseInteger(text);
+        if (!value) return "'" + text + "': expected a whole number";
+        text = std::to_string(*value);
+        return std::string();
+    };
+    for (CLI::Option* option : app.get_options([](const CLI::Option*) { return true; }))
+    {
+        const std::string type = option->get_type_name();
+        const bool isWhole = type.rfind("INT", 0) == 0 || type.rfind("UINT", 0) == 0;
+        if (isWhole) option->transform(CLI::Validator(decimal, ""));
+    }
+    for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+        takeDecimals(*command);
+}
+
 // An empty value is one that was lost, as of a variable of a script that is not set.
 [[noreturn]] void failEmpty(const std::string& option)
 {
@@ -76,6 +96,7 @@ int runProgram(int argc, const char* const* argv, const Program& program)
     {
         declareCommon(app, program);
         program.declare(app);
+        takeDecimals(app);
         checkArguments(argc, argv);
         app.parse(argc, argv);
         checkValues(app);

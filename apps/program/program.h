@@ -26,7 +26,7 @@ struct Program
 
 /// Parses, prepares and works; the exit code. What is thrown becomes a line on the standard error
 /// that begins with the program's name. A bare Program has `--help` and `--version`. An option
-/// whose value is empty is bad use.
+/// whose value is empty is bad use. Options that are integers take decimal numbers alone.
 int runProgram(int argc, const char* const* argv, const Program& program);
 
 /// From now on SIGINT, SIGTERM and, unless it is ignored, SIGHUP set the flag that is returned, and

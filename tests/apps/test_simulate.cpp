@@ -63,6 +63,30 @@ TEST_F(Simulate, SameSeedGivesTheSameBytesAndAnotherSeedDoesNot)
     EXPECT_NE(contentOf("a.rawlog"), contentOf("c.rawlog"));
 }
 
+TEST_F(Simulate, WholeNumbersAreDecimal)
+{
+    ASSERT_EQ(run("scene.ini -o a.rawlog --seed 10 --gz-level 1"), 0);
+    ASSERT_EQ(run("scene.ini -o b.rawlog --seed 010 --gz-level 01"), 0);
+    EXPECT_EQ(contentOf("a.rawlog"), contentOf("b.rawlog"));
+    for (const std::string bad : {"0x10", "1e1", "1.0", "0b1", "1 ", "a"})
+    {
+        EXPECT_EQ(run("scene.ini -o c.rawlog --seed '" + bad + "'"), 2);
+        EXPECT_THAT(contentOf("err.txt"),
+                    HasSubstr("--seed: '" + bad + "': expected a whole number"));
+    }
+    for (const auto& [app, option] : std::vector<std::pair<std::string, std::string>>{
+             {"vdamf-evaluate", "--min-points"},
+             {"vdamf-import", "kitti-raw drive --gz-level"},
+             {"vdamf-report", "--hits-per-frame"},
+             {"vdamf-train", "classifier list.ini --folds"},
+             {"vdamf-train", "filter list.ini --global"}})
+    {
+        const Outcome refused = runApp(app, option + " 0x4");
+        EXPECT_EQ(refused.exitCode, 2) << app;
+        EXPECT_THAT(refused.output, HasSubstr(": '0x4': expected a whole number")) << app;
+    }
+}
+
 TEST_F(Simulate, RefusesToReplaceOutputsWithoutBeingTold)
 {
     ASSERT_EQ(run("scene.ini -o a.rawlog --truth a.csv"), 0);
