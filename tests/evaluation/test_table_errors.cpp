@@ -97,10 +97,12 @@ TEST_F(TableErrors, AnIdThatWouldBreakTheTableIsRefused)
 {
     TruthRow row;
     row.objectClass = "Car";
-    for (const char* id : {"", "a,b", "a\nb", " a"})
+    for (const char* id : {"", "a,b", "a\nb", " a", "\"ab", "a\rb"})
     {
         row.objectId = id;
-        EXPECT_THAT(errorOf([&] { toCsv(row); }), HasSubstr("without comma")) << id;
+        EXPECT_THAT(errorOf([&] { toCsv(row); }),
+                    HasSubstr("without comma, quotation mark, line break, or blank"))
+            << id;
     }
 }
 

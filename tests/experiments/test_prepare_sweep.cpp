@@ -145,6 +145,14 @@ TEST_F(PrepareSweep, GroupsHaveTruthScoringAndKeysOfTheirOwn)
         AllOf(HasSubstr("sweep.ini:9: [recordings] set: "), HasSubstr("did you mean 'label'?")));
 }
 
+TEST_F(PrepareSweep, NamesStandInCellsOfTheTable)
+{
+    make("data/a, \"b\".rawlog", "x");
+    make("data/a, \"b\"_truth.csv", "y");
+    const PreparedSweep sweep = prepareSweep(sweepFile("", "scan.deskew = true, false"));
+    EXPECT_EQ(sweep.recordings.at(0).name, "a; ;b;");
+}
+
 TEST(MetricNames, AreThoseOfTheEvaluation)
 {
     EXPECT_THAT(metricNames(),

@@ -100,6 +100,13 @@ TEST_F(CsvTest, CallersErrorsNameTheRow)
               at("t.csv").string() + ":2: column 'x_m': must be positive");
 }
 
+TEST_F(CsvTest, WhatACellCannotHoldIsReplaced)
+{
+    EXPECT_EQ(cellText(""), "");
+    EXPECT_EQ(cellText("a 1;'"), "a 1;'");
+    EXPECT_EQ(cellText(" \"a,b\"\r\n c\t"), ";a;b;;; c");
+}
+
 TEST_F(CsvTest, TakesCellsInQuotes)
 {
     CsvReader reader(make("t.csv",

@@ -183,6 +183,14 @@ TEST(Scenario, BadSegmentsAndSizesAreNamed)
     EXPECT_THAT(error, HasSubstr("small.ini:8: object a,b"));
 }
 
+TEST(Scenario, NamesThatOtherFilesCannotHoldAreRefused)
+{
+    for (const std::string name : {"\"ab", "a\"b", " a", "a,b"})
+        EXPECT_THAT(errorOf("[object " + name + "]\nclass = car\n"),
+                    HasSubstr("the object's name must be a text without comma, quotation mark"))
+            << name;
+}
+
 TEST(Scenario, LabelsThatNoIniFileCanHoldAreRefused)
 {
     IniDocument document;

@@ -8,6 +8,7 @@
 #include "row_order.h"
 #include "vdamf/evaluation/tables.h"
 #include "vdamf/files/csv.h"
+#include "vdamf/files/text_file.h"
 
 namespace vdamf
 {
@@ -15,9 +16,9 @@ namespace
 {
 std::string checkedId(const std::string& id)
 {
-    if (!id.empty() && trimmed(id) == id && id.find_first_of(",\n") == std::string::npos) return id;
-    throw std::runtime_error("object id '" + id +
-                             "' cannot stand in truth.csv: it must be a text without comma");
+    if (!id.empty() && id == cellText(id)) return id;
+    throw std::runtime_error("object id " + inQuotes(id) +
+                             " cannot stand in truth.csv: it must be " + kCellText);
 }
 
 std::string classOf(const CsvReader& reader)

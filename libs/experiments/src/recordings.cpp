@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "split.h"
+#include "vdamf/files/csv.h"
 
 namespace vdamf
 {
@@ -67,14 +68,14 @@ bool areUnique(std::vector<SweepRecording> recordings)
     return std::adjacent_find(recordings.begin(), recordings.end(), same) == recordings.end();
 }
 
-// As few folders as tell all of them apart. A comma would end a cell of the table.
+// As few folders as tell all of them apart.
 void giveNames(std::vector<SweepRecording>& recordings)
 {
     constexpr int kMostFolders = 20;
     for (int folders = 0; folders <= kMostFolders; ++folders)
     {
         for (SweepRecording& recording : recordings)
-            recording.name = replaced(nameWith(recording.rawlog, folders), ",", ";");
+            recording.name = cellText(nameWith(recording.rawlog, folders));
         if (areUnique(recordings)) return;
     }
 }

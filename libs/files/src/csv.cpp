@@ -17,6 +17,7 @@ namespace vdamf
 namespace
 {
 constexpr std::size_t kLongestLine = 64 << 10;
+constexpr std::string_view kNotInCells = ",\"\r\n";
 
 /// Takes a cell in quotes, of which two stand for one, from the front; nothing where they stay open
 /// or something but a comma stands behind them.
@@ -65,6 +66,14 @@ std::optional<std::vector<std::string>> cellsOf(std::string_view line)
     }
 }
 }  // namespace
+
+std::string cellText(std::string_view text)
+{
+    std::string cell(trimmed(text));
+    for (char& c : cell)
+        if (kNotInCells.find(c) != std::string_view::npos) c = ';';
+    return cell;
+}
 
 struct CsvReader::State
 {

@@ -8,6 +8,7 @@
 
 #include "scene_problems.h"
 #include "traffic.h"
+#include "vdamf/files/csv.h"
 #include "vdamf/simulation/segments.h"
 #include "vdamf/simulation/towed_motion.h"
 
@@ -43,9 +44,10 @@ public:
     void add(const NamedObject& named)
     {
         const ObjectOptions& options = named.options;
-        if (named.name.find(',') != std::string::npos)
+        if (named.name != cellText(named.name))
         {
-            problems_.add(named.section, "class", "the object's name must not hold a comma");
+            problems_.add(named.section, "class",
+                          std::string("the object's name must be ") + kCellText);
         }
         SceneObject object;
         object.name = named.name;

@@ -23,7 +23,7 @@ struct PlanePose
 struct TruthRow
 {
     double time = 0.0;                ///< s (UNIX)
-    std::string objectId;             ///< without comma
+    std::string objectId;             ///< kCellText of files/csv.h
     std::string objectClass;          ///< Car, Van, Truck, Tram, Bus, Pedestrian, Cyclist, Other
     OrientedBox box;                  ///< m, rad
     double z = 0.0;                   ///< bottom, m

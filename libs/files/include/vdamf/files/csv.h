@@ -14,8 +14,15 @@
 
 namespace vdamf
 {
+/// The text as a cell holds it, to be read back the same: without blanks at its ends, and `;` for
+/// commas, quotation marks and line breaks.
+std::string cellText(std::string_view text);
+/// What a cell can hold as it is, for messages.
+constexpr const char* kCellText =
+    "a text without comma, quotation mark, line break, or blank at its ends";
+
 /// Reads a table row by row in constant memory. Cells are separated by commas; they may
-/// stand in quotes, but hold no comma, quote or line's end where they are asked for. Blanks around
+/// stand in quotes, but hold kCellText or nothing where they are asked for. Blanks around
 /// them do not count. Every error is a std::runtime_error that names file, line and
 /// column: a missing or doubled column, a bad number, a row of another length, an empty file.
 class CsvReader
