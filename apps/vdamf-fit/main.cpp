@@ -38,7 +38,7 @@ void declare(CLI::App& app, Cli& cli)
 vdamf::MeasureOptions prepared(const Cli& cli)
 {
     const vdamf::Configuration configuration = vdamf::loadConfiguration(cli.config, cli.set);
-    std::vector<vdamf::NamedInput> inputs = filesNamedBy(configuration, cli.config);
+    std::vector<vdamf::NamedInput> inputs = filesNamedBy(configuration);
     inputs.push_back({cli.input, "the input"});
     inputs.push_back({cli.config, "the configuration"});
     vdamf::checkOutputPaths({cli.output}, inputs);

@@ -37,22 +37,20 @@ void declare(CLI::App& app, CommandLine& line)
         ->check(CLI::Range(0, 2147483647));
 }
 
-/// What the section [traffic] names, from the scenario's folder and from the current one.
-std::vector<vdamf::NamedInput> trafficInputs(const CommandLine& line,
-                                             const vdamf::IniDocument& document)
+/// What the section [traffic] names.
+std::vector<vdamf::NamedInput> trafficInputs(const vdamf::IniDocument& document)
 {
     std::vector<vdamf::NamedInput> inputs;
     const vdamf::IniSection* const traffic = document.find("traffic");
     if (traffic == nullptr) return inputs;
     for (const vdamf::IniEntry& entry : traffic->entries)
-        for (const std::filesystem::path& folder : {line.scenario.parent_path(), {}})
-        {
-            const std::filesystem::path path = folder / entry.value;
-            if (entry.key == "table") inputs.push_back({path, "the traffic's table"});
-            if (entry.key != "argoverse_log") continue;
-            for (const char* file : {"annotations.csv", "city_SE3_egovehicle.csv"})
-                inputs.push_back({path / file, "the traffic's log"});
-        }
+    {
+        const std::filesystem::path path = document.fileOf("traffic", entry.key, entry.value);
+        if (entry.key == "table") inputs.push_back({path, "the traffic's table"});
+        if (entry.key != "argoverse_log") continue;
+        for (const char* file : {"annotations.csv", "city_SE3_egovehicle.csv"})
+            inputs.push_back({path / file, "the traffic's log"});
+    }
     return inputs;
 }
 
@@ -61,7 +59,7 @@ void checkPaths(const CommandLine& line)
 {
     vdamf::IniDocument document = vdamf::IniDocument::load(line.scenario);
     for (const std::string& assignment : line.set) document.set(assignment);
-    std::vector<vdamf::NamedInput> inputs = trafficInputs(line, document);
+    std::vector<vdamf::NamedInput> inputs = trafficInputs(document);
     inputs.push_back({line.scenario, "the scenario"});
     std::vector<std::filesystem::path> outputs{line.outputs.rawlog};
     if (!line.outputs.truth.empty()) outputs.push_back(line.outputs.truth);

@@ -42,7 +42,7 @@ struct RecordingKeys
     template <class Self, class Visitor>
     static void visit(Self& self, Visitor&& field)
     {
-        field(self.rawlog, "rawlog", "from the folder of this file");
+        field(self.rawlog, "rawlog", "from the folder of this file, of --set from the current one");
         field(self.truth, "truth", "its truth.csv");
         field(self.use, "use", "what it is for");
         field(self.scene, "scene",
@@ -75,7 +75,6 @@ template <class Options>
 std::vector<RecordingWith<Options>> readRecordings(IniReader& reader, const IniDocument& document)
 {
     const std::string prefix = "recording ";
-    const std::filesystem::path folder = std::filesystem::path(document.fileName()).parent_path();
     std::vector<RecordingWith<Options>> recordings;
     for (const IniSection& section : document.sections())
     {
@@ -87,8 +86,8 @@ std::vector<RecordingWith<Options>> readRecordings(IniReader& reader, const IniD
                        "[" + section.name + "] names no rawlog: add 'rawlog = ...'");
         reader.require(!r.options.truth.empty(),
                        "[" + section.name + "] names no truth: add 'truth = ...'");
-        r.rawlog = folder / r.options.rawlog;
-        r.truth = folder / r.options.truth;
+        r.rawlog = document.fileOf(section.name, "rawlog", r.options.rawlog);
+        r.truth = document.fileOf(section.name, "truth", r.options.truth);
         recordings.push_back(std::move(r));
     }
     return recordings;

@@ -33,7 +33,7 @@ std::vector<NamedInput> namedInputs(const TrainingInputs& inputs,
                                     const Configuration& configuration,
                                     const Recordings& recordings)
 {
-    std::vector<NamedInput> named = filesNamedBy(configuration, inputs.config);
+    std::vector<NamedInput> named = filesNamedBy(configuration);
     named.push_back({inputs.list, "the list of what to train on"});
     named.push_back({inputs.config, "the configuration"});
     for (const auto& recording : recordings)

@@ -69,6 +69,14 @@ TEST_F(PrepareSweep, ValuesThatTheTrackerDoesNotTake)
         AllOf(HasSubstr("setting clustering.gap_m = 1"), HasSubstr("clustering.max_gap_m")));
 }
 
+TEST_F(PrepareSweep, ValuesThatGoTogetherOnlyWithOthersOfTheSweep)
+{
+    const PreparedSweep sweep =
+        prepareSweep(sweepFile("", "clustering.gap_m = 0.4, 1\nclustering.max_gap_m = 2"));
+    EXPECT_THAT(sweep.settings, SizeIs(2));
+    for (const NamedInput& file : filesOfSweep(sweep.file, sweep.base)) EXPECT_EQ(file.path, "");
+}
+
 TEST_F(PrepareSweep, AllProblemsOfTheFileAtOnce)
 {
     const std::string problem =

@@ -166,6 +166,26 @@ TEST(Ini, AssignmentsOfTheCommandLine)
     }
 }
 
+TEST(Ini, FilesAndPlacesOfKeysAreThoseOfTheirOrigin)
+{
+    IniDocument document = IniDocument::parse("[paint]\ncount = 4\nlabel = a\n", "in/c.ini");
+    document.set("paint.label=b");
+    EXPECT_EQ(document.fileOf("paint", "count", "x.txt"), "in/x.txt");
+    EXPECT_EQ(document.fileOf("paint", "count", "/x.txt"), "/x.txt");
+    EXPECT_EQ(document.fileOf("paint", "label", "x.txt"), "x.txt");
+    IniReader reader(document);
+    const auto notAbove = [&](const char* key, const char* other) {
+        reader.require(false, "too high", {{"paint", key}, {"paint", other}});
+    };
+    PaintOptions options;
+    reader.read("paint", options);
+    notAbove("count", "label");
+    notAbove("label", "label");
+    notAbove("label", "gap_m");
+    EXPECT_EQ(errorOf([&] { reader.finish(); }),
+              "in/c.ini:2, --set: too high\n--set: too high\n--set, in/c.ini: too high");
+}
+
 TEST(Ini, WriterShowsKeysRangesAndComments)
 {
     IniWriter writer;

@@ -138,7 +138,7 @@ std::string runId(const RunTask& task, const std::string& rawlogDigest,
         all += part + "\n";
     const Configuration settings =
         readSettings(IniDocument::parse(task.configuration, "the configuration of a run"));
-    for (const NamedInput& file : filesNamedBy(settings, {}))
+    for (const NamedInput& file : filesNamedBy(settings))
         if (!file.path.empty()) all += file.name + " " + digestOfFile(file.path) + "\n";
     return digestOf(all + task.configuration);
 }

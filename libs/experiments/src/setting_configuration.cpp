@@ -14,6 +14,15 @@ namespace
 // How the strict reader names what came by IniDocument::set().
 constexpr std::string_view kSetMark = "--set: ";
 
+// Nothing came from a command line here.
+std::string withoutSetMark(const std::string& message)
+{
+    std::string all;
+    for (const std::string& line : split(message, '\n'))
+        all += "\n" + (line.rfind(kSetMark, 0) == 0 ? line.substr(kSetMark.size()) : line);
+    return all;
+}
+
 // What concerns the one key that was set, under the name of its place in the sweep's file. What
 // concerns several keys together is checked setting by setting.
 std::string problemsOfKey(const std::string& message, const std::string& where)
@@ -24,14 +33,22 @@ std::string problemsOfKey(const std::string& message, const std::string& where)
     return problems;
 }
 
-// Files are named as seen from the sweep's file.
-std::string assignment(const SweepFile& file, const std::string& key, const std::string& value)
+bool namesFile(const std::string& key)
 {
-    const std::vector<NamedInput> files = filesNamedBy({}, {});
-    const bool namesFile = std::any_of(files.begin(), files.end(),
-                                       [&](const NamedInput& one) { return one.name == key; });
-    const std::filesystem::path path = namesFile && !value.empty() ? file.resolved(value) : "";
-    return key + "=" + (std::filesystem::exists(path) ? path.string() : value);
+    const std::vector<NamedInput> files = filesNamedBy({});
+    return std::any_of(files.begin(), files.end(),
+                       [&](const NamedInput& one) { return one.name == key; });
+}
+
+// Files are named as seen from the sweep's file, or else from the configuration.
+std::string assignment(const SweepFile& file, const IniDocument& base, const std::string& key,
+                       const std::string& value)
+{
+    if (value.empty() || !namesFile(key)) return key + "=" + value;
+    const std::filesystem::path besideBase = std::filesystem::path(base.fileName()).parent_path();
+    for (const std::filesystem::path& path : {file.resolved(value), besideBase / value})
+        if (std::filesystem::exists(path)) return key + "=" + path.string();
+    return key + "=" + value;
 }
 
 std::string problemsOfValue(const SweepFile& file, const IniDocument& base, const std::string& key,
@@ -40,7 +57,7 @@ std::string problemsOfValue(const SweepFile& file, const IniDocument& base, cons
     IniDocument document = base;
     try
     {
-        document.set(assignment(file, key, value));
+        document.set(assignment(file, base, key, value));
         readConfiguration(document);
     }
     catch (const IniError& error)
@@ -146,17 +163,17 @@ std::string configurationOf(const SweepFile& file, const IniDocument& base,
 {
     IniDocument document = base;
     for (const std::string& set : assignmentsOf(group))
-        document.set(assignment(file, nameOf(set), valueOf(set)));
+        document.set(assignment(file, base, nameOf(set), valueOf(set)));
     for (std::size_t k = 0; k < file.keys.size(); ++k)
-        document.set(assignment(file, file.keys[k].name, setting.values[k]));
+        document.set(assignment(file, base, file.keys[k].name, setting.values[k]));
     try
     {
-        return toIni(withAbsoluteFiles(readConfiguration(document), document.fileName()));
+        return toIni(readConfiguration(document));
     }
     catch (const IniError& error)
     {
-        throw std::runtime_error(file.path.string() + ": setting " + inWords(file, setting) +
-                                 ":\n" + error.what());
+        throw std::runtime_error(file.path.string() + ": setting " + inWords(file, setting) + ":" +
+                                 withoutSetMark(error.what()));
     }
 }
 
@@ -165,13 +182,13 @@ std::vector<NamedInput> filesOfSweep(const SweepFile& file, const IniDocument& b
     std::vector<NamedInput> all;
     const auto add = [&](const IniDocument& document)
     {
-        for (const NamedInput& one : filesNamedBy(readSettings(document), document.fileName()))
-            all.push_back(one);
+        for (const NamedInput& one : filesNamedBy(readConfiguration(document))) all.push_back(one);
     };
     const auto addWith = [&](const std::string& key, const std::string& value)
     {
+        if (!namesFile(key)) return;
         IniDocument document = base;
-        document.set(assignment(file, key, value));
+        document.set(assignment(file, base, key, value));
         add(document);
     };
     add(base);

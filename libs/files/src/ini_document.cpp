@@ -162,4 +162,25 @@ const IniSection* IniDocument::find(std::string_view section) const
     return findSection(sections_, section);
 }
 
+const IniEntry* IniDocument::find(std::string_view section, std::string_view key) const
+{
+    const IniSection* const found = find(section);
+    return found == nullptr ? nullptr : findEntry(found->entries, key);
+}
+
+std::string IniDocument::placeOf(std::string_view section, std::string_view key) const
+{
+    const IniEntry* const entry = find(section, key);
+    if (entry == nullptr) return fileName_;
+    return entry->line > 0 ? fileName_ + ":" + std::to_string(entry->line) : "--set";
+}
+
+std::filesystem::path IniDocument::fileOf(std::string_view section, std::string_view key,
+                                          const std::filesystem::path& name) const
+{
+    const IniEntry* const entry = find(section, key);
+    if (entry != nullptr && entry->line == 0) return name;
+    return std::filesystem::path(fileName_).parent_path() / name;
+}
+
 }  // namespace vdamf

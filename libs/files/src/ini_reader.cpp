@@ -42,11 +42,7 @@ void IniReader::beginSection(const std::string& section)
 const IniEntry* IniReader::entry(const char* key)
 {
     known_[section_].emplace_back(key);
-    const IniSection* section = document_.find(section_);
-    if (section == nullptr) return nullptr;
-    const auto found = std::find_if(section->entries.begin(), section->entries.end(),
-                                    [&](const IniEntry& e) { return e.key == key; });
-    return found == section->entries.end() ? nullptr : &*found;
+    return document_.find(section_, key);
 }
 
 void IniReader::problem(const IniEntry& entry, const std::string& expected)
@@ -139,6 +135,19 @@ void IniReader::require(bool condition, const std::string& problem, int line)
 {
     const std::string place = line > 0 ? ":" + std::to_string(line) : "";
     if (!condition) problems_.push_back(document_.fileName() + place + ": " + problem);
+}
+
+void IniReader::require(bool condition, const std::string& problem,
+                        const std::vector<std::pair<std::string, std::string>>& keys)
+{
+    if (condition) return;
+    std::vector<std::string> places;
+    for (const auto& [section, key] : keys)
+    {
+        const std::string place = document_.placeOf(section, key);
+        if (std::find(places.begin(), places.end(), place) == places.end()) places.push_back(place);
+    }
+    problems_.push_back(joined(places, ", ") + ": " + problem);
 }
 
 void IniReader::finish()

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vdamf/rawlog/configuration.h"
 
+#include <filesystem>
+
 #include "discriminator_file.h"
-#include "named_file.h"
 #include "vdamf/files/numbers.h"
 #include "vdamf/rawlog/filter_file.h"
 
@@ -13,21 +14,44 @@ namespace
 // Limits whose ranges touch.
 void checkLimits(IniReader& reader, const TrackerOptions& tracker)
 {
-    const auto below = [&reader](double low, const std::string& lowKey, double high,
-                                 const std::string& highKey, bool mayBeEqual = false)
+    const auto below = [&reader](const std::string& section, double low, const std::string& lowKey,
+                                 double high, const std::string& highKey, bool mayBeEqual = false)
     {
         reader.require(low < high || (mayBeEqual && low == high),
-                       lowKey + " = " + toText(low) + " must " +
-                           (mayBeEqual ? "not be above " : "be below ") + highKey + " = " +
-                           toText(high));
+                       section + "." + lowKey + " = " + toText(low) + " must " +
+                           (mayBeEqual ? "not be above " : "be below ") + section + "." + highKey +
+                           " = " + toText(high),
+                       {{section, lowKey}, {section, highKey}});
     };
     const GroundOptions& ground = tracker.ground;
-    below(ground.minRange, "ground.min_range_m", ground.maxRange, "ground.max_range_m");
-    below(ground.minHeight, "ground.min_height_m", ground.maxHeight, "ground.max_height_m");
-    below(ground.minSensorHeight, "ground.min_sensor_height_m", ground.maxSensorHeight,
-          "ground.max_sensor_height_m");
-    below(tracker.clustering.gap, "clustering.gap_m", tracker.clustering.maxGap,
-          "clustering.max_gap_m", true);
+    below("ground", ground.minRange, "min_range_m", ground.maxRange, "max_range_m");
+    below("ground", ground.minHeight, "min_height_m", ground.maxHeight, "max_height_m");
+    below("ground", ground.minSensorHeight, "min_sensor_height_m", ground.maxSensorHeight,
+          "max_sensor_height_m");
+    below("clustering", tracker.clustering.gap, "gap_m", tracker.clustering.maxGap, "max_gap_m",
+          true);
+}
+
+std::string absoluteName(const IniDocument& document, const char* section, const char* key,
+                         const std::string& name)
+{
+    if (name.empty()) return name;
+    const std::filesystem::path beside = document.fileOf(section, key, name);
+    const std::filesystem::path path =
+        std::filesystem::absolute(std::filesystem::exists(beside) ? beside.string() : name);
+    // By the disk: "link/.." is the folder above the one that the link leads to.
+    return (std::filesystem::weakly_canonical(path.parent_path()) / path.filename()).string();
+}
+
+// The configuration names the same files from any folder.
+Configuration withAbsoluteFiles(Configuration c, const IniDocument& document)
+{
+    DiscriminatorOptions& discriminator = c.tracker.discriminator;
+    if (!discriminator.isOff())
+        discriminator.model = absoluteName(document, "discriminator", "model", discriminator.model);
+    std::string& filters = c.tracker.measurement.filterFile;
+    filters = absoluteName(document, "measurement", "filter_file", filters);
+    return c;
 }
 }  // namespace
 
@@ -55,32 +79,17 @@ Configuration readSettings(const IniDocument& document)
 
 Configuration readConfiguration(const IniDocument& document)
 {
-    Configuration c = readSettings(document);
-    c.tracker.discriminator.loaded =
-        discriminatorFromFile(c.tracker.discriminator, document.fileName());
-    c.tracker.measurement = withFilterFromFile(c.tracker.measurement, document.fileName());
+    Configuration c = withAbsoluteFiles(readSettings(document), document);
+    c.tracker.discriminator.loaded = discriminatorFromFile(c.tracker.discriminator);
+    c.tracker.measurement = withFilterFromFile(c.tracker.measurement);
     return c;
 }
 
-std::vector<NamedInput> filesNamedBy(const Configuration& c,
-                                     const std::filesystem::path& configurationFile)
+std::vector<NamedInput> filesNamedBy(const Configuration& c)
 {
     const DiscriminatorOptions& discriminator = c.tracker.discriminator;
-    const std::string model = discriminator.isOff() ? "" : discriminator.model;
-    return {{namedFile(model, configurationFile), "discriminator.model"},
-            {namedFile(c.tracker.measurement.filterFile, configurationFile),
-             "measurement.filter_file"}};
-}
-
-Configuration withAbsoluteFiles(Configuration c, const std::filesystem::path& configurationFile)
-{
-    std::string* const names[] = {&c.tracker.discriminator.model,
-                                  &c.tracker.measurement.filterFile};
-    const std::vector<NamedInput> files = filesNamedBy(c, configurationFile);
-    for (std::size_t k = 0; k < files.size(); ++k)
-        if (!files[k].path.empty())
-            *names[k] = std::filesystem::absolute(files[k].path).lexically_normal().string();
-    return c;
+    return {{discriminator.isOff() ? "" : discriminator.model, "discriminator.model"},
+            {c.tracker.measurement.filterFile, "measurement.filter_file"}};
 }
 
 Configuration loadConfiguration(const std::filesystem::path& file,

@@ -2,10 +2,8 @@
 #include "vdamf/rawlog/filter_file.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <stdexcept>
 
-#include "named_file.h"
 #include "vdamf/files/ini.h"
 #include "vdamf/files/text_file.h"
 
@@ -121,16 +119,14 @@ FilterBank parseFilterBank(std::string_view text, const std::string& name)
     return bank;
 }
 
-MeasureOptions withFilterFromFile(const MeasureOptions& options,
-                                  const std::string& configurationFile)
+MeasureOptions withFilterFromFile(const MeasureOptions& options)
 {
     if (options.filterFile.empty()) return options;
     constexpr std::size_t kLargest = std::size_t{1} << 20;
-    const std::filesystem::path path = namedFile(options.filterFile, configurationFile);
     try
     {
         const auto bank = std::make_shared<const FilterBank>(
-            parseFilterBank(readTextFile(path, kLargest), path.string()));
+            parseFilterBank(readTextFile(options.filterFile, kLargest), options.filterFile));
         MeasureOptions own = withFilter(options, commonFilter(*bank).parameters);
         own.bank = bank;
         return own;

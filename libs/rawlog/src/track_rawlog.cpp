@@ -264,7 +264,7 @@ void checkPaths(const TrackRawlogJob& job)
     std::vector<std::filesystem::path> outputs = job.otherOutputs;
     for (const auto& output : {job.output, job.tracks, job.nis})
         if (output) outputs.push_back(*output);
-    std::vector<NamedInput> inputs = filesNamedBy(job.configuration, job.configurationFile);
+    std::vector<NamedInput> inputs = filesNamedBy(job.configuration);
     inputs.push_back({job.input, "the input"});
     inputs.push_back({job.configurationFile, "the configuration"});
     checkOutputPaths(outputs, inputs);

@@ -79,7 +79,7 @@ public:
         if (name.empty()) return;
         try
         {
-            const std::filesystem::path path = resolved(key, name);
+            const std::filesystem::path path = document_.fileOf("traffic", key, name);
             addRecording(key, options.table.empty() ? readArgoverseLog(path) : readTruthTable(path),
                          options.smoothing);
         }
@@ -108,7 +108,7 @@ private:
     {
         for (const char* key : {"x_m", "y_m", "heading_deg", "speed_mps", "segments"})
         {
-            if (findEntry(document_, named.section, key) == nullptr) continue;
+            if (document_.find(named.section, key) == nullptr) continue;
             problems_.add(named.section, key, "follows from what tows it: remove this key");
         }
         const auto vehicle = std::find_if(scene_.objects.begin(), scene_.objects.end(),
@@ -123,14 +123,6 @@ private:
         const TowBar bar{0.5 * vehicle->size.length - vehicle->rearAxleOffset,
                          named.options.drawbar + 0.5 * object.size.length + object.rearAxleOffset};
         return towed(vehicle->trajectory, bar, duration_);
-    }
-
-    /// Names in the file are relative to it, those from the command line to where it is run.
-    std::filesystem::path resolved(const std::string& key, const std::string& name) const
-    {
-        const IniEntry* entry = findEntry(document_, "traffic", key);
-        if (entry != nullptr && entry->line == 0) return name;
-        return std::filesystem::path(document_.fileName()).parent_path() / name;
     }
 
     void addRecording(const std::string& key, const Recording& recording, double smoothing)

@@ -3,22 +3,10 @@
 
 namespace vdamf
 {
-const IniEntry* findEntry(const IniDocument& document, std::string_view section,
-                          std::string_view key)
-{
-    const IniSection* found = document.find(section);
-    if (found == nullptr) return nullptr;
-    for (const IniEntry& entry : found->entries)
-    {
-        if (entry.key == key) return &entry;
-    }
-    return nullptr;
-}
-
 void SceneProblems::add(const std::string& section, const std::string& key, const std::string& what)
 {
     const IniSection* const found = document_.find(section);
-    const IniEntry* const entry = findEntry(document_, section, key);
+    const IniEntry* const entry = document_.find(section, key);
     const int line = entry != nullptr ? entry->line : found != nullptr ? found->line : 0;
     const std::string where =
         line > 0 ? document_.fileName() + ":" + std::to_string(line) : std::string("--set");

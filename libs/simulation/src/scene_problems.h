@@ -3,16 +3,11 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 
 #include "vdamf/files/ini.h"
 
 namespace vdamf
 {
-/// The entry in the document; null where it is not there.
-const IniEntry* findEntry(const IniDocument& document, std::string_view section,
-                          std::string_view key);
-
 class SceneProblems
 {
 public:

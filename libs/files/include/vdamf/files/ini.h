@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "vdamf/tracking/types/options.h"
@@ -52,6 +53,15 @@ public:
     const std::string& fileName() const { return fileName_; }
     const std::vector<IniSection>& sections() const { return sections_; }
     const IniSection* find(std::string_view section) const;
+    const IniEntry* find(std::string_view section, std::string_view key) const;
+
+    /// "file:line", or "--set"; the file's name for a key that is not there.
+    std::string placeOf(std::string_view section, std::string_view key) const;
+
+    /// The file that a key names: a relative name counts from this file's folder, one that came by
+    /// set() from the current one.
+    std::filesystem::path fileOf(std::string_view section, std::string_view key,
+                                 const std::filesystem::path& name) const;
 
 private:
     std::string fileName_;
@@ -85,6 +95,10 @@ public:
     /// the condition does not hold. It goes behind the file's name, and the line where there is
     /// one.
     void require(bool condition, const std::string& problem, int line = 0);
+
+    /// The same, behind the places of these keys.
+    void require(bool condition, const std::string& problem,
+                 const std::vector<std::pair<std::string, std::string>>& keys);
 
     void finish();
 

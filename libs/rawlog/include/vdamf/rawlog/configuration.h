@@ -70,19 +70,16 @@ struct Configuration
 };
 
 /// Strict: throws IniError that lists every problem with file, line and key. With the contents of
-/// the files that it names.
+/// the files that it names, and their paths absolute: a relative path in the document counts from
+/// its folder or, where there is no such file, from the current one, one of IniDocument::set() from
+/// the current one alone.
 Configuration readConfiguration(const IniDocument& document);
 
-/// The same without them.
+/// The same without them, and with all paths as they are written.
 Configuration readSettings(const IniDocument& document);
 
 /// The files that it names, each with its key; without a path where it names none.
-std::vector<NamedInput> filesNamedBy(const Configuration& configuration,
-                                     const std::filesystem::path& configurationFile);
-
-/// With the paths of these files absolute.
-Configuration withAbsoluteFiles(Configuration configuration,
-                                const std::filesystem::path& configurationFile);
+std::vector<NamedInput> filesNamedBy(const Configuration& configuration);
 
 /// Of a file, or the built-in one where no file is named, with "section.key=value" over it.
 Configuration loadConfiguration(const std::filesystem::path& file,

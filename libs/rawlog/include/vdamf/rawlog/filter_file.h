@@ -17,10 +17,8 @@ std::string toText(const FilterBank& bank);
 /// numbers in their ranges.
 FilterBank parseFilterBank(std::string_view text, const std::string& name);
 
-/// The options with the filters that they name; unchanged where they name no file. A relative name
-/// is looked for in the folder of the configuration file, then in the current one. Throws
+/// The options with the filters that they name; unchanged where they name no file. Throws
 /// std::runtime_error where the file cannot be read or holds no filters.
-MeasureOptions withFilterFromFile(const MeasureOptions& options,
-                                  const std::string& configurationFile);
+MeasureOptions withFilterFromFile(const MeasureOptions& options);
 
 }  // namespace vdamf
