@@ -78,5 +78,11 @@ function drawSeries(element, {values, times, sigma, colour: ink, dashed, dots}, 
 
 function shortNumber(v) {
   const size = Math.abs(v);
-  return size >= 100 ? v.toFixed(0) : size >= 10 ? v.toFixed(1) : v.toFixed(2);
+  return fixed(v, size >= 100 ? 0 : size >= 10 ? 1 : 2);
+}
+
+/** Without the sign of what is rounded to zero. */
+function fixed(v, digits) {
+  const text = v.toFixed(digits);
+  return Number(text) === 0 ? text.replace("-", "") : text;
 }

@@ -119,7 +119,7 @@ function factsOf(state, track) {
   const i = track.at(state.frame);
   if (i < 0) return `<p class="soft">Not in the scene at this time, but ${
       spanOf(state.run, track)}.</p>`;
-  const deg = (rad) => `${(rad * 180 / Math.PI).toFixed(1)}°`;
+  const deg = (rad) => `${fixed(rad * 180 / Math.PI, 1)}°`;
   const sigma = (variance) => Math.sqrt(variance).toFixed(2);
   const p = track.vehicleProbability(i);
   const faces = {F: "front", B: "back", L: "left", R: "right"};
@@ -127,7 +127,7 @@ function factsOf(state, track) {
   const rows = [
     ["State", track.status[i]],
     ["Vehicle", p === null ? "not told" : `${Math.round(100 * p)} %`],
-    ["Speed", `${track.speed[i].toFixed(2)} ± ${sigma(track.varSpeed[i])} m/s`],
+    ["Speed", `${fixed(track.speed[i], 2)} ± ${sigma(track.varSpeed[i])} m/s`],
     ["Heading", `${deg(track.heading[i])} ± ${deg(Math.sqrt(track.varHeading[i]))}`],
     ["Front as drawn", `${Math.round(100 * track.forward[i])} %`],
     ["Axes as drawn", `${Math.round(100 * track.axes[i])} %`],
@@ -135,7 +135,7 @@ function factsOf(state, track) {
     ["Width", `${track.width[i].toFixed(2)} ± ${sigma(track.varWidth[i])} m`],
     ["Hits", track.hits[i]],
     ["Faces seen", [...track.faces[i]].map((f) => faces[f]).join(", ") || "none"],
-    ["Match", `${track.match[i].toFixed(2)} / m`],
+    ["Match", `${fixed(track.match[i], 2)} / m`],
     ["NIS", track.nis[i] === null ? "no update" : track.nis[i].toFixed(2)],
   ];
   const truth = pair ? `On the label ${nameOfObject(state.run.objects[pair.object])}, overlap ${

@@ -21,7 +21,7 @@ function chartsOf(state, track) {
                                     ...truth((k) => object.speed[k])]},
     {title: "Heading (°)", series: [of(headings, {sigma: root(track.varHeading, degrees)}),
         ...truth((k, i) => nearestTurn(object.heading[k] * degrees, headings[i]))]},
-    {title: "Probability that the heading points to the front", range: [0, 1],
+    {title: "Front as drawn, probability", range: [0, 1],
      series: [of(track.forward)]},
     {title: "Length (m)", series: [of(track.length, {sigma: root(track.varLength)}),
                                    ...truth((k) => object.length[k])]},

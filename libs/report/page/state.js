@@ -54,6 +54,9 @@ class State {
   }
 }
 
+/** Of pauses of the recording, s: longer ones are jumped over. */
+const kLongestWait = 2;
+
 /** Moves the time on while playing. */
 function playOn(state) {
   const run = state.run;
@@ -70,6 +73,8 @@ function playOn(state) {
     time = last === null || wasMoved ? run.times[state.frame]
                                      : time + (now - last) / 1000 * state.speed;
     last = now;
+    const next = run.times[state.frame + 1];  // undefined at the end
+    if (next - time > kLongestWait) time = next;
     if (time >= run.times[end]) state.set({frame: end, playing: false});
     else state.seek(run.frameAt(time));
   };

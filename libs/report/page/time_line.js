@@ -29,7 +29,7 @@ function startTimeLine(state) {
   show();
 }
 
-/** Above, how many tracks there are; below, mistakes; the selected track's life as a bar. */
+/** Above, mistakes, a row for each group of kinds; below, the selected track's life as a bar. */
 function drawMarks(canvas, state) {
   const context = contextOf(canvas);
   const run = state.run;

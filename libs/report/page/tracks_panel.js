@@ -6,7 +6,7 @@ const kColumns = [
   {name: "Track", value: (t) => t.id},
   {name: "What it is", value: (t) => t.what, left: true},
   {name: "There (s)", value: (t) => t.from, text: (v, t) => `${v.toFixed(1)}–${t.to.toFixed(1)}`},
-  {name: "m/s", value: (t) => t.speed, text: (v) => v.toFixed(1)},
+  {name: "m/s", value: (t) => t.speed, text: (v) => fixed(v, 1)},
   {name: "Size (m)", value: (t) => t.length,
    text: (v, t) => `${v.toFixed(1)}×${t.width.toFixed(1)}`},
 ];

@@ -64,6 +64,13 @@ class Reader:
         self.page.wait("!report.state.playing")
         assert self.state("frame") == self.page.js("report.run.count") - 1, "plays to the end"
 
+    def jumps_over_pauses(self):
+        self.page.js("{ const run = report.run; run.kept = run.times;"
+                     "  run.times = run.times.map((t, k) => t + (k > 9 ? 3000 : 0));"
+                     "  report.state.seek(7); report.state.set({speed: 1, playing: true}); }")
+        self.page.wait("report.state.frame >= 12")
+        self.page.js("report.state.set({playing: false}); report.run.times = report.run.kept")
+
     def picks_a_track(self):
         """By a click on its box; the panel shows the numbers of the table."""
         self.page.js("report.state.seek(8); report.state.set({follow: 'sensor'})")
@@ -101,6 +108,25 @@ class Reader:
             return [b.left + 0.95 * b.width, b.top + b.height / 2]; })()""")
         self.page.click(x, y)
         assert self.state("frame") != before, "a click on a chart goes there"
+
+    def names_charts_in_full(self):
+        wide = self.page.js("[...document.querySelectorAll('.chart')]"
+                            ".map((c) => [c.querySelector('text'), c.viewBox.baseVal.width])"
+                            ".filter(([t, w]) => t.getBBox().x + t.getBBox().width > w)"
+                            ".map(([t]) => t.textContent)")
+        assert wide == [], wide
+
+    def has_no_negative_zero(self):
+        assert self.page.js("shortNumber(-0.004)") == "0.00"
+        assert self.page.js("kColumns.find((c) => c.name === 'm/s').text(-0.04)") == "0.0"
+        facts = self.page.js("""(() => {
+            const {state, run} = report, track = run.byId.get(state.track);
+            const i = track.at(state.frame), speed = track.speed[i];
+            track.speed[i] = -0.004;
+            const facts = factsOf(state, track);
+            track.speed[i] = speed;
+            return facts; })()""")
+        assert "0.00 ±" in facts and "-0.00" not in facts, facts
 
     def counts_tracks(self):
         """By the pairs and the table, not by the page's own sums."""
@@ -177,7 +203,8 @@ class Reader:
 
 
 CHECKS = [Reader.loads, Reader.steps_and_seeks, Reader.draws_each_frame, Reader.plays,
-          Reader.picks_a_track, Reader.shows_history_and_close_up, Reader.counts_tracks, Reader.lists_tracks,
+          Reader.jumps_over_pauses, Reader.picks_a_track, Reader.shows_history_and_close_up,
+          Reader.names_charts_in_full, Reader.has_no_negative_zero, Reader.counts_tracks, Reader.lists_tracks,
           Reader.goes_to_mistakes, Reader.turns_to_3d, Reader.changes_theme, Reader.helps,
           Reader.keeps_its_place_in_the_address, Reader.is_quiet]
 
