@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vdamf-evaluate: how good tracks are, told by the truth.
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -30,7 +31,6 @@ struct CommandLine
     fs::path json;
     fs::path plots;
     double regionFovDegrees = 0.0;
-    bool trackedSpan = false;
     bool objects = false;
     bool overwrite = false;
     vdamf::EvaluationOptions options;
@@ -72,7 +72,7 @@ void declareScoring(CLI::App& app, CommandLine& line)
                    "objects slower than this stand still")
         ->check(vdamf::within(0.0, 100.0))
         ->capture_default_str();
-    app.add_flag("--tracked-span", line.trackedSpan,
+    app.add_flag("--tracked-span", line.options.trackedSpan,
                  "score from the first to the last time of the tracks: of a part of a recording");
     app.add_flag("--vehicles-only", scoring.onlyVehicles,
                  "drop tracks that the discriminator takes for clutter");
@@ -171,6 +171,17 @@ void write(const std::vector<Output>& outputs, bool overwrite)
     for (const auto& file : files) file->commit();
 }
 
+/// Charts of an earlier run that this one does not have would pass for its own.
+void removeOlder(const CommandLine& line, const std::vector<Output>& written)
+{
+    for (const fs::path& path : outputsOf(line))
+    {
+        const bool isOwn = std::any_of(written.begin(), written.end(),
+                                       [&](const Output& output) { return output.path == path; });
+        if (!isOwn && fs::is_regular_file(path)) fs::remove(path);
+    }
+}
+
 vdamf::ScoredTables tablesOf(const CommandLine& line)
 {
     vdamf::ScoredTables tables;
@@ -178,7 +189,7 @@ vdamf::ScoredTables tablesOf(const CommandLine& line)
     tables.tracksName = line.tracks.string();
     tables.truth = vdamf::readTruth(line.truth);
     tables.tracks = vdamf::readTracks(line.tracks);
-    if (!line.trackedSpan || tables.truth.empty()) return tables;
+    if (!line.options.trackedSpan || tables.truth.empty()) return tables;
     const auto tracked = vdamf::spanOf(tables.tracks);
     if (!tracked)
         throw std::runtime_error(tables.tracksName +
@@ -194,12 +205,14 @@ vdamf::ScoredTables tablesOf(const CommandLine& line)
 int run(const CommandLine& line)
 {
     const vdamf::ScoredTables tables = tablesOf(line);
+    vdamf::warnOfTimes(tables, line.options.scoring.timeTolerance);
     const vdamf::Evaluation evaluation = vdamf::namingTables(
         line.truth, line.tracks,
         [&] { return vdamf::evaluate(tables.truth, tables.tracks, line.options); });
-    vdamf::warnOfTimes(tables, line.options.scoring.timeTolerance);
     if (!line.plots.empty() && !isOnePicture(line.plots)) vdamf::makeFolder(line.plots);
-    write(contentsOf(line, evaluation), line.overwrite);
+    const std::vector<Output> outputs = contentsOf(line, evaluation);
+    write(outputs, line.overwrite);
+    if (line.overwrite) removeOlder(line, outputs);
     std::string text = vdamf::evaluationText(evaluation);
     if (line.objects) text += "\n" + vdamf::objectsText(evaluation);
     const bool jsonOnStandardOutput = !line.json.empty() && vdamf::isStandardOutput(line.json);

@@ -116,8 +116,12 @@ void warnOfTimes(const ScoredTables& tables, double tolerance)
     const std::vector<double> trackTimes = frameTimes(tables.tracks, tolerance);
     const Frames truth = framesBeside(truthTimes, trackTimes, tolerance);
     const Frames tracks = framesBeside(trackTimes, truthTimes, tolerance);
-    warnOfFramesWithoutTruth(tracks, *labelled);
-    warnOfTruthOutside(truth, *tracked, *labelled, tables, tolerance);
+    const auto commonFrames = std::count(truth.meets.begin(), truth.meets.end(), true);
+    if (commonFrames > 0)  // else there is no scoring
+    {
+        warnOfFramesWithoutTruth(tracks, *labelled);
+        warnOfTruthOutside(truth, *tracked, *labelled, tables, tolerance);
+    }
     warnOfShiftedFrames(truth, tracks, tables);
 }
 

@@ -207,6 +207,43 @@ TEST_F(EvaluateAppTest, PrintsTablesAndWritesPictures)
     EXPECT_THAT(contentOf("all.svg"), HasSubstr(">Position<"));
 }
 
+TEST_F(EvaluateAppTest, ChartsOfAnEarlierRunDoNotStayBesideThoseOfThisOne)
+{
+    const std::string plots = "--overwrite --plots '" + at("p").string() + "'";
+    writeTables(
+        [](TrackRow row, int /*frame*/)
+        {
+            row.report.vehicleProbability = 0.9;
+            TrackRow clutter = moved(row, 0.0, 7.0);
+            clutter.report.id += 2;
+            return std::vector<TrackRow>{row, clutter};
+        });
+    make("p/own.svg", "mine");
+    EXPECT_EQ(evaluate(plots).exitCode, 0);
+    EXPECT_TRUE(std::filesystem::exists(at("p/roc.svg")));
+    writeTables(unchanged);
+    EXPECT_EQ(evaluate(plots).exitCode, 0);
+    EXPECT_FALSE(std::filesystem::exists(at("p/roc.svg")));
+    EXPECT_FALSE(std::filesystem::exists(at("p/det.svg")));
+    EXPECT_TRUE(std::filesystem::exists(at("p/position.svg")));
+    EXPECT_EQ(contentOf("p/own.svg"), "mine");
+}
+
+TEST_F(EvaluateAppTest, LengthsOfNoVarianceAreInTheFirstGroup)
+{
+    writeTables(
+        [](TrackRow row, int frame)
+        {
+            if (frame < 15) row.report.lengthVariance = 0.0;
+            return std::vector<TrackRow>{std::move(row)};
+        });
+    const Json m = metrics();
+    EXPECT_EQ(m["errors"]["pairs"], 40);
+    EXPECT_EQ(m["errors_by_length_sigma_cm"]["0-25"]["pairs"], 40);
+    EXPECT_EQ(m.dump().find(" inf "), std::string::npos);
+    EXPECT_THAT(evaluate().output, HasSubstr("half of the errors or more have no covariance"));
+}
+
 TEST_F(EvaluateAppTest, NoTrackAtAllIsAResult)
 {
     writeTables([](const TrackRow&, int) { return std::vector<TrackRow>(); });

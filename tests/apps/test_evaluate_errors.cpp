@@ -124,6 +124,8 @@ TEST_F(EvaluateAppErrors, SaysHowMuchTruthIsOutsideOfTheTracksTimes)
     EXPECT_EQ(metrics()["clear_mot"]["recall"], 0.5);
     EXPECT_EQ(metrics("--tracked-span")["clear_mot"]["recall"], 1.0);
     EXPECT_EQ(metrics("--tracked-span")["scored"]["frames"], 10);
+    EXPECT_EQ(metrics("--tracked-span")["options"]["tracked_span"], true);
+    EXPECT_EQ(metrics()["options"]["tracked_span"], false);
     EXPECT_THAT(evaluate("--tracked-span").output, Not(HasSubstr("vdamf-evaluate:")));
 }
 
@@ -149,6 +151,21 @@ TEST_F(EvaluateAppErrors, SaysWhereTimesOfTheTablesLieBesideEachOther)
         });
     EXPECT_THAT(evaluate().output, HasSubstr("5 of the 20 frames"));
     EXPECT_THAT(evaluate().output, HasSubstr("up to 0.0200 s beside frames of"));
+}
+
+TEST_F(EvaluateAppErrors, SaysHowFarOffTimesAreWhereNoneMeet)
+{
+    writeTables(
+        [](TrackRow row, int /*frame*/)
+        {
+            row.time += 0.0011;
+            return std::vector<TrackRow>{std::move(row)};
+        });
+    const Outcome run = evaluate();
+    EXPECT_EQ(run.exitCode, 1);
+    EXPECT_THAT(run.output, HasSubstr("20 of the 20 frames"));
+    EXPECT_THAT(run.output, HasSubstr("up to 0.0011 s beside frames of"));
+    EXPECT_THAT(run.output, HasSubstr("no frame of the truth"));
 }
 
 TEST_F(EvaluateAppErrors, ASpanNeedsTracksInTheTruthsTime)

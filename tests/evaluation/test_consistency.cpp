@@ -120,6 +120,17 @@ TEST(Consistency, WhatIsNotFiniteIsOutside)
     EXPECT_NE(verdictOf(c), Verdict::Consistent);
 }
 
+TEST(Consistency, OfVariancesOfZeroIsToldWithoutANumber)
+{
+    std::vector<double> values(20, 1.0);
+    values.insert(values.end(), 20, -1.0);
+    const Consistency c = consistencyOf(values, 1);
+    EXPECT_EQ(verdictOf(c), Verdict::Overconfident);
+    EXPECT_EQ(inWords(c),
+              "overconfident: half of the errors or more have no covariance (a variance of 0); "
+              "50.0 % of the values lie above the 99 % point (expected 1 %)");
+}
+
 TEST(Consistency, OfNothingAndOfLittle)
 {
     const Consistency nothing = consistencyOf({}, 3);

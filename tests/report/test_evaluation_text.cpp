@@ -93,6 +93,8 @@ TEST(EvaluationText, OfNothingTracked)
     const std::string text = evaluationText(evaluation) + objectsText(evaluation);
     EXPECT_THAT(text, HasSubstr("recall      0.000  precision       -"));
     EXPECT_THAT(text, HasSubstr("0 % ever tracked"));
+    EXPECT_THAT(text, HasSubstr("Discriminator: there are no tracks to tell apart"));
+    EXPECT_THAT(text, Not(HasSubstr("false alarm.")));
     EXPECT_THAT(text, HasSubstr("too few values to tell"));
     EXPECT_THAT(text, Not(HasSubstr("nan")));
 }

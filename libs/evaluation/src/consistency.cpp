@@ -63,6 +63,8 @@ std::string tailInWords(const Consistency& c)
 
 std::string sizeInWords(const Consistency& c)
 {
+    if (!std::isfinite(c.covarianceScale))
+        return "half of the errors or more have no covariance (a variance of 0)";
     return "errors are " + toFixedText(std::sqrt(c.covarianceScale), 2) +
            " times as large as the filter says";
 }

@@ -92,6 +92,7 @@ Json optionsJson(const EvaluationOptions& options)
             {"min_points", s.minPoints},
             {"max_range_m", s.maxRange > 0.0 ? Json(s.maxRange) : Json(nullptr)},
             {"region_fov_deg", s.regionFov > 0.0 ? Json(s.regionFov * kDegrees) : Json(nullptr)},
+            {"tracked_span", options.trackedSpan},
             {"vehicles_only", s.onlyVehicles},
             {"with_tentative", s.withTentative},
             {"still_speed_mps", options.stillSpeed}};

@@ -103,7 +103,7 @@ PoseError errorOf(const TruthRow& truth, const TrackReport& track)
     e.speed = (e.flipped ? -track.speed : track.speed) - truth.speed;
     e.length = track.box.length - truth.box.length;
     e.width = track.box.width - truth.box.width;
-    if (track.lengthVariance > 0.0) e.lengthSigma = std::sqrt(track.lengthVariance);
+    if (track.lengthVariance >= 0.0) e.lengthSigma = std::sqrt(track.lengthVariance);
     e.points = truth.points;
     e.facesSeen = track.facesSeen;
     e.nis = track.nis;

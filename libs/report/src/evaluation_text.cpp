@@ -165,6 +165,7 @@ std::string discriminatorText(const Evaluation& e)
 {
     if (!e.counts.hasProbability)
     {
+        if (e.counts.trackRows == 0) return "\nDiscriminator: there are no tracks to tell apart\n";
         return "\nThe tracks have no vehicle_probability: nothing tells vehicles from "
                "other\nobjects, so every tracked bush and wall off the labels is a false alarm.\n";
     }

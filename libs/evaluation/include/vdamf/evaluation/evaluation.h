@@ -24,6 +24,7 @@ struct EvaluationOptions
     ScoringOptions scoring;
     double pairOverlap = kPairOverlap;  ///< of the pairs whose errors are told
     double stillSpeed = 0.3;            ///< objects slower than this stand still, m/s
+    bool trackedSpan = false;           ///< told alone: the truth is that of the tracks' times
     RocOptions roc;
 };
 
