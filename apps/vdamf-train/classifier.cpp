@@ -120,8 +120,16 @@ void tellLeftOut(const ClassifierJob& job, Tracks& all, const std::string& name,
     }
     TrainingOptions options = job.training;
     options.costs = {cost};
-    const Training training =
-        trainClassifier(without, job.grid, options, [](const std::string&) {});
+    Training training;
+    try
+    {
+        training = trainClassifier(without, job.grid, options, [](const std::string&) {});
+    }
+    catch (const std::runtime_error& error)
+    {
+        throw std::runtime_error("--leave-out " + name + ": without it, " + error.what() +
+                                 "; the model of all is in " + job.model.string());
+    }
     std::printf("\nTrained without %s, tested on it\n%s", name.c_str(),
                 qualityText(qualityOf(judge(training.model, leftOut), {})).c_str());
     std::fflush(stdout);
@@ -173,6 +181,11 @@ void checkLeaveOut(const ClassifierJob& job)
             throw std::runtime_error(
                 "--leave-out " + name +
                 ": no recording to train on, and no scene of one, has that name");
+        const auto isTrainedOnWithout = [&](const Recording& r)
+        { return r.options.use == RecordingUse::Train && !isCalled(r, name); };
+        if (std::none_of(job.recordings.begin(), job.recordings.end(), isTrainedOnWithout))
+            throw std::runtime_error("--leave-out " + name +
+                                     ": no other recording to train on is left");
     }
 }
 

@@ -31,7 +31,8 @@ struct ClassifierJob
 /// All files that the job writes.
 std::vector<std::filesystem::path> outputsOf(const ClassifierJob& job);
 
-/// Throws std::runtime_error for a name to leave out that no recording to train on has.
+/// Throws std::runtime_error for a name to leave out that no recording to train on has, or all
+/// have.
 void checkLeaveOut(const ClassifierJob& job);
 
 /// Runs the job and prints what came out. Throws std::runtime_error.

@@ -39,6 +39,9 @@ TEST_F(Train, TellsHowAModelWithoutARecordingDoesThere)
     EXPECT_THAT(output_, HasSubstr("Trained without elsewhere, tested on it"));
     EXPECT_EQ(run("vdamf-train", command + "--leave-out nowhere"), 2);
     EXPECT_THAT(output_, HasSubstr("--leave-out nowhere: no recording"));
+    makeList();
+    EXPECT_EQ(run("vdamf-train", command + "--overwrite --leave-out street"), 2);
+    EXPECT_THAT(output_, HasSubstr("--leave-out street: no other recording to train on is left"));
 }
 
 TEST_F(Train, MakesAModelThatVdamfTrackTakes)
