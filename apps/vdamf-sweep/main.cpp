@@ -61,11 +61,13 @@ fs::path ownProgram()
     return fs::read_symlink("/proc/self/exe");
 }
 
-vdamf::Engine engineOf(const CommandLine& line, const vdamf::PreparedSweep& sweep)
+vdamf::Engine engineOf(const CommandLine& line, const vdamf::PreparedSweep& sweep,
+                       const vdamf::SweepProgress& progress)
 {
     const vdamf::WorkerCommand worker = {ownProgram().string(), "--task"};
     if (line.engine == "slurm")
-        return vdamf::slurmEngine(worker, sweep.file.slurm, line.folder / "slurm");
+        return vdamf::slurmEngine(worker, sweep.file.slurm, line.folder / "slurm",
+                                  [&progress](const std::string& text) { progress.tell(text); });
     return vdamf::localEngine(worker, line.jobs);
 }
 
@@ -118,8 +120,8 @@ int sweepAll(const CommandLine& line, const vdamf::PreparedSweep& sweep,
     listener.planned = [&](const auto& runs) { progress.planned(runs); };
     listener.finished = [&](const auto& one, const std::string& failure)
     { progress.finished(one, failure); };
-    const vdamf::SweepResults results =
-        vdamf::runSweep(sweep, program, line.folder, engineOf(line, sweep), interrupted, listener);
+    const vdamf::SweepResults results = vdamf::runSweep(
+        sweep, program, line.folder, engineOf(line, sweep, progress), interrupted, listener);
     if (interrupted) return interruptedExit(progress, line.folder);
     progress.end();
     vdamf::writeOutputs(sweep, results, line.folder);

@@ -41,11 +41,14 @@ void SweepProgress::finished(const PlannedRun& run, const std::string& failure)
     failures_ += failure.empty() ? 0 : 1;
     bytesDone_ += bytesOf(sweep_, run);
     if (!failure.empty())
-        std::fprintf(stderr, "%s%s, setting %zu failed: %s\n",
-                     style_ == Style::Bar ? "\r\033[K" : "",
-                     sweep_.recordings[run.row.recording].name.c_str(), run.row.setting + 1,
-                     failure.c_str());
+        tell(sweep_.recordings[run.row.recording].name + ", setting " +
+             std::to_string(run.row.setting + 1) + " failed: " + failure);
     show(run, failure);
+}
+
+void SweepProgress::tell(const std::string& text) const
+{
+    std::fprintf(stderr, "%s%s\n", style_ == Style::Bar ? "\r\033[K" : "", text.c_str());
 }
 
 void SweepProgress::end() const

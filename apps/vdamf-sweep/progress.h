@@ -25,7 +25,8 @@ public:
 
     void planned(const std::vector<PlannedRun>& runs);
     void finished(const PlannedRun& run, const std::string& failure);
-    void end() const;  ///< behind the bar
+    void tell(const std::string& text) const;  ///< a line, also where it is quiet
+    void end() const;                          ///< behind the bar
 
     std::size_t failures() const { return failures_; }
     std::size_t skipped() const { return skipped_; }

@@ -11,6 +11,7 @@ namespace vdamf
 namespace
 {
 using ::testing::HasSubstr;
+using ::testing::StartsWith;
 namespace fs = std::filesystem;
 
 constexpr const char* kSlurm = "[slurm]\ntime_min = 5\nmemory_mb = 500\npoll_s = 0.2\n";
@@ -65,6 +66,27 @@ protected:
 private:
     bool isStarted_ = false;
 };
+
+class SweepWithoutSlurm : public SweepProgram
+{
+};
+
+TEST_F(SweepWithoutSlurm, SaysAtOnceThatTheControllerDoesNotAnswer)
+{
+    make("bin/squeue", "#!/bin/sh\necho 'Unable to contact slurm controller'\nexit 1\n");
+    fs::permissions(at("bin/squeue"), fs::perms::owner_all);
+    writeSweep("", "measurement.sigma_m = 0.1, 0.2", "[slurm]\npoll_s = 0.05\npatience_s = 0.5\n");
+    const Outcome outcome =
+        runShell("PATH='" + at("bin").string() + "':$PATH '" VDAMF_APPS_DIR "/vdamf-sweep' " +
+                 arguments("out") + " --engine slurm");
+    EXPECT_EQ(outcome.exitCode, 1);
+    const std::string said =
+        "Slurm's controller does not answer (Unable to contact slurm controller); it is asked "
+        "again for 0.5 s (slurm.patience_s)\n";
+    EXPECT_THAT(outcome.output, StartsWith(said + "vdamf-sweep: "));
+    EXPECT_THAT(outcome.output,
+                HasSubstr("for 0.5 s: Unable to contact slurm controller; no job was submitted"));
+}
 
 TEST_F(SweepOnSlurm, GivesTheTableOfTheLocalEngine)
 {

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <chrono>
+#include <functional>
 #include <map>
 #include <stdexcept>
 #include <thread>
 
 #include "slurm_queue.h"
+#include "split.h"
 #include "vdamf/experiments/engine.h"
 #include "vdamf/experiments/process.h"
 #include "vdamf/experiments/run_task.h"
@@ -32,11 +35,12 @@ class Supervisor
 {
 public:
     Supervisor(SlurmQueue& queue, const SlurmOptions& options, const std::vector<EngineTask>& tasks,
-               const TaskListener& finished)
+               const TaskListener& finished, const std::function<void(const std::string&)>& warn)
         : queue_(queue),
           options_(options),
           tasks_(tasks),
           finished_(finished),
+          warn_(warn),
           progress_(tasks.size())
     {
     }
@@ -49,6 +53,7 @@ public:
         const auto queued = queue_.queued();
         if (!queued) return wait();
         lastAnswer_ = Clock::now();
+        isWaiting_ = false;
         std::map<fs::path, std::string> jobs;
         for (const QueuedTask& task : *queued) jobs[task.folder] = task.job;
         std::vector<std::size_t> open;
@@ -66,9 +71,21 @@ private:
     {
         const auto now = Clock::now();
         if (std::chrono::duration<double>(now - lastAnswer_).count() > options_.patience)
-            throw std::runtime_error("Slurm's controller has not answered for " +
-                                     toText(options_.patience) + " s: " + queue_.message() +
-                                     "; its jobs go on, start the sweep again to collect them");
+            throw std::runtime_error(
+                "Slurm's controller has not answered for " + toText(options_.patience) +
+                " s: " + queue_.message() +
+                (hasJobs() ? "; its jobs go on, start the sweep again to collect them"
+                           : "; no job was submitted"));
+        if (isWaiting_) return;
+        isWaiting_ = true;
+        warn_("Slurm's controller does not answer (" + split(queue_.message(), '\n').front() +
+              "); it is asked again for " + toText(options_.patience) + " s (slurm.patience_s)");
+    }
+
+    bool hasJobs() const
+    {
+        return std::any_of(progress_.begin(), progress_.end(),
+                           [](const Progress& one) { return !one.isTold && one.attempts > 0; });
     }
 
     bool isToSubmit(std::size_t i, const std::string& job)
@@ -140,9 +157,11 @@ private:
     const SlurmOptions& options_;
     const std::vector<EngineTask>& tasks_;
     const TaskListener& finished_;
+    const std::function<void(const std::string&)>& warn_;
     std::vector<Progress> progress_;
     std::size_t told_ = 0;
     Clock::time_point lastAnswer_ = Clock::now();
+    bool isWaiting_ = false;  // for an answer, and has said so
 };
 
 // So that an interruption does not wait for the next look.
@@ -154,13 +173,14 @@ void sleepUnlessStopped(double seconds, const std::atomic<bool>& stop)
 }
 }  // namespace
 
-Engine slurmEngine(const WorkerCommand& worker, const SlurmOptions& options, const fs::path& folder)
+Engine slurmEngine(const WorkerCommand& worker, const SlurmOptions& options, const fs::path& folder,
+                   const std::function<void(const std::string& line)>& warn)
 {
     return [=](const std::vector<EngineTask>& tasks, const std::atomic<bool>& stop,
                const TaskListener& finished)
     {
         SlurmQueue queue(worker, options, folder);
-        Supervisor supervisor(queue, options, tasks, finished);
+        Supervisor supervisor(queue, options, tasks, finished, warn);
         for (supervisor.look(); !stop && !supervisor.isDone(); supervisor.look())
             sleepUnlessStopped(options.pollSeconds, stop);
         if (stop) queue.cancel();

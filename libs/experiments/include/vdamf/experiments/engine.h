@@ -39,9 +39,10 @@ Engine localEngine(const WorkerCommand& worker, unsigned jobs);
 /// of tasks and what tasks print, kept between sweeps. Tasks that are in the queue already, because
 /// an earlier sweep in the same folder was killed, are waited for and not submitted again. A task
 /// that is killed or lost is submitted again as often as the options say; one whose run fails by
-/// itself is not, it would fail again. When the controller does not answer it is asked again until
-/// the options' patience is over. `stop` cancels the jobs.
+/// itself is not, it would fail again. When the controller does not answer, `warn` is told once,
+/// and it is asked again until the options' patience is over. `stop` cancels the jobs.
 Engine slurmEngine(const WorkerCommand& worker, const SlurmOptions& options,
-                   const std::filesystem::path& folder);
+                   const std::filesystem::path& folder,
+                   const std::function<void(const std::string& line)>& warn);
 
 }  // namespace vdamf
