@@ -98,6 +98,8 @@ TEST(Plots, OpenAxesHoldAllValues)
     // One value, and none at all.
     chart.curves = {{"", CurveStyle::Points, {{5.0, 0.0}}}};
     EXPECT_THAT(chartsSvg({chart}), Not(HasSubstr("nan")));
+    chart.curves = {{"", CurveStyle::Points, {{0.2, 0.4}}}};
+    EXPECT_THAT(chartsSvg({chart}), HasSubstr("M264.0 161.0")) << "in the middle";
     chart.curves = {{"nothing", CurveStyle::Line, {}}};
     EXPECT_THAT(chartsSvg({chart}), HasSubstr("nothing to show"));
     EXPECT_TRUE(isXml(chartsSvg({})));

@@ -89,7 +89,12 @@ ScaledAxis::ScaledAxis(const Axis& axis, const std::vector<double>& values)
 
 void ScaledAxis::chooseLinearEnds()
 {
-    if (!(max_ > min_)) max_ = min_ + std::max(1.0, std::abs(min_));
+    if (!(max_ > min_))  // a single value lies in the middle
+    {
+        const double half = min_ != 0.0 ? 0.5 * std::abs(min_) : 0.5;
+        max_ = min_ + half;
+        min_ -= half;
+    }
     const double step = stepOf(max_ - min_);
     min_ = step * std::floor(min_ / step + 1e-9);
     max_ = step * std::ceil(max_ / step - 1e-9);
