@@ -34,8 +34,8 @@ void declare(CLI::App& app, CommandLine& line)
 {
     app.add_option("input", line.input, "rawlog that vdamf-track -o wrote")->required();
     app.add_option("-o,--output", line.output, "page to write (HTML)")->required();
-    app.add_option("--truth", line.truth,
-                   "table of labelled objects (csv): shown, and where the tracks err");
+    CLI::Option* const truth = app.add_option(
+        "--truth", line.truth, "table of labelled objects (csv): shown, and where the tracks err");
     app.add_option("--title", line.title, "of the page; default: the input's name");
     app.add_option("--hits-per-frame", line.hitsPerFrame,
                    "LADAR hits kept of each frame, at most: more detail, larger page")
@@ -45,15 +45,19 @@ void declare(CLI::App& app, CommandLine& line)
     app.add_option("--region-fov-deg", line.regionFovDegrees,
                    "labelled sector ahead of the sensor; 0: all around (KITTI: 80)")
         ->check(vdamf::within(0.0, 360.0))
+        ->needs(truth)
         ->capture_default_str();
     app.add_option("--max-range-m", scoring.maxRange, "judge up to this range; 0: all")
         ->check(vdamf::within(0.0, 1e4))
+        ->needs(truth)
         ->capture_default_str();
     app.add_option("--min-points", scoring.minPoints, "objects with fewer hits do not count")
         ->check(CLI::Range(0, 1000000))
+        ->needs(truth)
         ->capture_default_str();
     app.add_flag("--vehicles-only", scoring.onlyVehicles,
-                 "judge no tracks that the discriminator takes for clutter");
+                 "judge no tracks that the discriminator takes for clutter")
+        ->needs(truth);
     app.add_flag("--overwrite", line.overwrite, "replace an existing page");
     app.add_flag("-q,--quiet", line.quiet, "no progress, no summary");
 }
@@ -140,6 +144,18 @@ int run(const CommandLine& line)
         std::fprintf(stderr,
                      "%s: its configuration cannot be read, the built-in one is taken: %s\n",
                      line.input.c_str(), annotations.configurationProblem.c_str());
+    if (annotations.tablesDamaged > 0)
+        std::fprintf(stderr,
+                     "%s: %llu of its tables of tracks cannot be read, their frames are left out; "
+                     "the first one, at %s\n",
+                     line.input.c_str(), static_cast<unsigned long long>(annotations.tablesDamaged),
+                     annotations.firstDamaged.c_str());
+    if (annotations.tablesRepeated > 0)
+        std::fprintf(stderr,
+                     "%s: %llu of its tables of tracks are of times that others before them have, "
+                     "and are left out: are several runs joined in it?\n",
+                     line.input.c_str(),
+                     static_cast<unsigned long long>(annotations.tablesRepeated));
     vdamf::warnOfEntries(annotations.read, line.input.string());
     const std::string page = pageOf(line, annotations, interrupted);
     output.write(page);

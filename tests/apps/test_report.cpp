@@ -3,13 +3,18 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <vector>
+
+#include <mrpt/obs/CObservationRawDAQ.h>
 
 #include "apps/track_fixture.h"
 #include "report/page_data.h"
 #include "vdamf/evaluation/tables.h"
 #include "vdamf/rawlog/annotated_rawlog.h"
+#include "vdamf/rawlog/annotation_table.h"
+#include "vdamf/rawlog/rawlog_writer.h"
 
 namespace vdamf
 {
@@ -152,6 +157,54 @@ TEST_F(Report, TellsWhatWasLostOfItsInput)
     EXPECT_GT(fs::file_size(at("t.html")), 100000U) << "what there is";
 }
 
+TEST_F(Report, LeavesOutTablesThatMakeNoSense)
+{
+    trackStreet("--frames 0:30");
+    const auto names = annotationColumns();
+    const auto id =
+        static_cast<std::size_t>(std::find(names.begin(), names.end(), "track_id") - names.begin());
+    std::size_t tables = 0;
+    const auto damage = [&](const std::string& name, std::size_t first, std::size_t last)
+    {
+        RawlogWriter writer(at(name), {});
+        tables = 0;
+        for (const RawlogEntry& entry : Contents(at("t.rawlog")).entries)
+        {
+            auto* table = dynamic_cast<mrpt::obs::CObservationRawDAQ*>(entry.object.get());
+            const bool holdsTracks = table != nullptr && !table->AIN_double.empty();
+            tables += holdsTracks ? 1 : 0;
+            if (!holdsTracks || tables <= first || tables > last)
+            {
+                writer.writeBytes(entry.bytes);
+                continue;
+            }
+            table->AIN_double[id] = 8.000000001;
+            writer.write(*table);
+        }
+        writer.commit();
+        return report(path(name) + " -o " + path(name + ".html"));
+    };
+    const Outcome two = damage("two.rawlog", 3, 5);
+    EXPECT_EQ(two.exitCode, 0);
+    EXPECT_THAT(two.output, HasSubstr("two.rawlog: 2 of its tables of tracks cannot be read, their "
+                                      "frames are left out; the first one, at "));
+    EXPECT_THAT(two.output, HasSubstr(" s: an impossible track_id: 8.000000001"));
+    EXPECT_EQ(test::runOf(contentOf("two.rawlog.html"))["frames"]["time"].size(), 28U);
+    const Outcome all = damage("all.rawlog", 0, 30);
+    EXPECT_EQ(all.exitCode, 1);
+    EXPECT_THAT(all.output, HasSubstr("all.rawlog: none of its 30 tables of tracks can be read"));
+}
+
+TEST_F(Report, SaysWhereTheFramesOfJoinedRunsAreTheSame)
+{
+    trackStreet("--frames 0:10");
+    make("joined.rawlog", contentOf("t.rawlog") + contentOf("t.rawlog"));
+    const Outcome joined = report(path("joined.rawlog") + " -o " + path("joined.html"));
+    EXPECT_EQ(joined.exitCode, 0);
+    EXPECT_THAT(joined.output, AllOf(HasSubstr("joined.rawlog: 10 of its tables of tracks"),
+                                     HasSubstr("joined.html: 10 frames")));
+}
+
 TEST_F(Report, CountsWhatItCannotReadAsTheTrackerDoes)
 {
     trackStreet("--frames 0:5 --set output.gz_level=0");
@@ -188,6 +241,9 @@ TEST_F(Report, SaysWhatIsWrong)
     expect(path("none.rawlog") + to, 1, "none.rawlog");
     expect(kStreet, 2, "--output is required");
     expect(kStreet + to + " --region-fov-deg nan", 2, "0 to 360");
+    for (const std::string option :
+         {"--region-fov-deg 80", "--max-range-m 9", "--min-points 9", "--vehicles-only"})
+        expect(kStreet + to + " " + option, 2, "requires --truth");
     trackStreet("--frames 0:3");
     expect(path("t.rawlog") + " -o " + path("t.rawlog"), 2, "is the input");
     expect(path("t.rawlog") + to + " --truth " + path("none.csv"), 1, "none.csv");

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "vdamf/evaluation/tables.h"
+#include "vdamf/files/numbers.h"
 
 namespace vdamf
 {
@@ -33,8 +34,7 @@ public:
     {
         const double value = (*this)(column);
         if (std::isfinite(value)) return value;
-        throw std::runtime_error(std::string("its tables of tracks have no value for '") + column +
-                                 "'");
+        throw std::runtime_error(std::string("no value for '") + column + "'");
     }
     double orZero(const char* column) const
     {
@@ -56,8 +56,7 @@ int wholeNumber(const Row& row, const char* column, double max)
 {
     const double value = row.required(column);
     if (value >= 0.0 && value <= max && value == std::floor(value)) return static_cast<int>(value);
-    throw std::runtime_error("its tables of tracks have an impossible " + std::string(column) +
-                             ": " + std::to_string(value));
+    throw std::runtime_error("an impossible " + std::string(column) + ": " + toText(value));
 }
 
 std::optional<OrientedBox> measuredBox(const Row& row)
@@ -151,9 +150,9 @@ std::vector<double> annotationRow(double time, const TrackReport& report)
 std::vector<TrackReport> tracksOf(const std::vector<std::string>& columns,
                                   const std::vector<double>& numbers)
 {
-    if (columns.empty()) throw std::runtime_error("its tables of tracks have no columns");
+    if (columns.empty()) throw std::runtime_error("no columns are known");
     if (numbers.size() % columns.size() != 0)
-        throw std::runtime_error("a table of tracks holds " + std::to_string(numbers.size()) +
+        throw std::runtime_error(std::to_string(numbers.size()) +
                                  " numbers, which is no multiple of its " +
                                  std::to_string(columns.size()) + " columns");
     std::vector<TrackReport> tracks;

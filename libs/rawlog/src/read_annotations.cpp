@@ -7,6 +7,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "vdamf/files/numbers.h"
 #include "vdamf/rawlog/annotated_rawlog.h"
 #include "vdamf/rawlog/annotation.h"
 #include "vdamf/rawlog/annotation_table.h"
@@ -79,7 +80,8 @@ private:
         if (pose.sensorLabel != kAlignmentLabel) return;
         const mrpt::poses::CPose3D& mean = pose.pose.mean;
         if (!std::isfinite(mean.yaw() + mean.x() + mean.y())) return;
-        annotations.alignments[pose.timestamp] = {mean.yaw(), {mean.x(), mean.y()}};
+        annotations.alignments.emplace(pose.timestamp,
+                                       PlaneMotion{mean.yaw(), {mean.x(), mean.y()}});
     }
 
     void takeTable(const mrpt::obs::CObservationRawDAQ& table)
@@ -89,7 +91,19 @@ private:
             throw std::runtime_error(
                 "has tables of tracks, but no head before them that names "
                 "their columns: was its first entry cut off?");
-        annotations.tables[table.timestamp] = tracksOf(columns_, table.AIN_double);
+        try
+        {
+            const bool isNew =
+                annotations.tables.emplace(table.timestamp, tracksOf(columns_, table.AIN_double))
+                    .second;
+            annotations.tablesRepeated += isNew ? 0 : 1;
+        }
+        catch (const std::runtime_error& error)
+        {
+            if (annotations.tablesDamaged++ > 0) return;
+            const double time = mrpt::Clock::toDouble(table.timestamp);
+            annotations.firstDamaged = toFixedText(time, 6) + " s: " + error.what();
+        }
     }
 
     std::vector<std::string> columns_;
@@ -114,6 +128,10 @@ Annotations readAnnotations(const std::filesystem::path& path)
         throw std::runtime_error(path.string() + ": " + error.what());
     }
     reading.annotations.read = reader.summary();
+    if (reading.annotations.tables.empty() && reading.annotations.tablesDamaged > 0)
+        throw std::runtime_error(
+            path.string() + ": none of its " + std::to_string(reading.annotations.tablesDamaged) +
+            " tables of tracks can be read; the first one, at " + reading.annotations.firstDamaged);
     if (reading.annotations.tables.empty())
         throw std::runtime_error(path.string() + ": has no tables of tracks ('" + kTableLabel +
                                  "'): write it with vdamf-track -o, [output] annotate_table = "

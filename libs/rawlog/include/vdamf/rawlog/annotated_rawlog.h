@@ -27,15 +27,18 @@ struct Annotations
     /// Why the configuration is not that of the run but the built-in one; empty: it is that of the
     /// run.
     std::string configurationProblem;
-    /// Tracks by the time stamp of their scan.
+    /// Tracks by the time stamp of their scan; of several tables of one time the first one.
     std::map<mrpt::Clock::time_point, std::vector<TrackReport>> tables;
+    std::uint64_t tablesDamaged = 0;   ///< others that are there, and make no sense
+    std::string firstDamaged;          ///< the time of the first one, and why
+    std::uint64_t tablesRepeated = 0;  ///< others of a time that was there
     /// From the world of the poses to that of the tracks, where these differ; by time as well.
     std::map<mrpt::Clock::time_point, PlaneMotion> alignments;
     RawlogSummary read;  ///< what was lost of the file
 };
 
 /// Reads the head and all tables of tracks. Throws std::runtime_error that names the file and what
-/// to do: not readable, no annotations in it, tables that make no sense.
+/// to do: not readable, no annotations in it, no table that makes sense.
 Annotations readAnnotations(const std::filesystem::path& path);
 
 struct ReplaySummary
