@@ -64,6 +64,18 @@ TEST(BirdsEye, DrawsHitsBoxesAndTrails)
     EXPECT_THAT(svg, Not(HasSubstr("nan")));
 }
 
+TEST(BirdsEye, DrawsNothingBesideTheView)
+{
+    BirdsEye picture;
+    FrameResult result;
+    result.tracks = {trackAt(5051.0, TrackStatus::Confirmed)};  // over the right border
+    picture.add(frameAt(1.0), result);
+    const std::string svg = picture.svg();
+    EXPECT_THAT(svg, HasSubstr("<clipPath id=\"view\"><rect width=\"1200\" height=\"672\"/>"));
+    EXPECT_LT(svg.find("<g clip-path=\"url(#view)\">"), svg.find("<polygon"));
+    EXPECT_EQ(svg.rfind("</g>\n</svg>\n"), svg.size() - 12);
+}
+
 TEST(BirdsEye, LeavesOutWhatIsNotPublished)
 {
     BirdsEye picture;

@@ -157,6 +157,9 @@ std::string BirdsEye::svg() const
                       std::to_string(width) + " " + std::to_string(height) +
                       "\" font-family=\"sans-serif\" font-size=\"14\">\n<rect width=\"100%\" "
                       "height=\"100%\" fill=\"#10151b\"/>\n";
+    // In a window of another shape there is more to see than the view.
+    svg += "<clipPath id=\"view\"><rect width=\"" + std::to_string(width) + "\" height=\"" +
+           std::to_string(height) + "\"/></clipPath>\n<g clip-path=\"url(#view)\">\n";
     svg += pointsSvg();
     svg +=
         "<polyline fill=\"none\" stroke=\"#ffffff\" stroke-width=\"2\" stroke-opacity=\"0.7\" "
@@ -172,7 +175,7 @@ std::string BirdsEye::svg() const
     const double bar = 10.0 * width / options_.metresAcross;
     svg += "<path stroke=\"#ffffff\" stroke-width=\"2\" d=\"M20 " + std::to_string(height - 20) +
            format("h%.1f\"/>", bar, 0.0) + "\n<text fill=\"#ffffff\" x=\"24\" y=\"" +
-           std::to_string(height - 26) + "\">10 m</text>\n</svg>\n";
+           std::to_string(height - 26) + "\">10 m</text>\n</g>\n</svg>\n";
     return svg;
 }
 
