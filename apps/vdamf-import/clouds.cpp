@@ -6,6 +6,7 @@
 #include "commands.h"
 #include "vdamf/files/ini.h"
 #include "vdamf/files/text_file.h"
+#include "vdamf/rawlog/annotation.h"
 #include "vdamf/rawlog/cloud_import.h"
 
 namespace vdamf
@@ -56,6 +57,7 @@ public:
 
     void prepare() override
     {
+        checkSensorLabel(job_.label, "--label");
         job_.output = output();
         job_.sensorInVehicle = sensorPoseFrom(sensorPose_);
         job_.pointTime = kPointTimes.at(pointTime_);

@@ -9,6 +9,7 @@
 
 #include "program.h"
 #include "simulation_run.h"
+#include "vdamf/rawlog/annotation.h"
 
 namespace
 {
@@ -71,6 +72,9 @@ vdamf::Scenario scenarioOf(const CommandLine& line)
     vdamf::IniDocument document = vdamf::IniDocument::load(line.scenario);
     for (const std::string& assignment : line.set) document.set(assignment);
     vdamf::Scenario scenario = vdamf::readScenario(document);
+    for (const vdamf::SimulatedSensor& sensor : scenario.sensors)
+        vdamf::checkSensorLabel(sensor.label,
+                                line.scenario.string() + ": [sensor " + sensor.label + "]");
     if (line.seed) scenario.run.seed = *line.seed;
     return scenario;
 }

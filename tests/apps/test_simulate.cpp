@@ -116,6 +116,10 @@ TEST_F(Simulate, BadUseAndBadScenariosEndWithTwo)
     EXPECT_EQ(run("bad.ini -o a.rawlog"), 2);
     EXPECT_THAT(contentOf("err.txt"), HasSubstr("bad.ini:2: unknown key platform.sped_mps"));
     EXPECT_THAT(contentOf("err.txt"), HasSubstr("speed_mps"));
+    std::ofstream(path("own.ini")) << "[sensor vdamf_tracks]\n";
+    EXPECT_EQ(run("own.ini -o a.rawlog"), 2);
+    EXPECT_THAT(contentOf("err.txt"),
+                HasSubstr("own.ini: [sensor vdamf_tracks]: the label 'vdamf_tracks' begins with"));
     EXPECT_FALSE(fs::exists(path("a.rawlog")));
     EXPECT_EQ(run("--help"), 0);
     EXPECT_THAT(contentOf("out.txt"), HasSubstr("Example"));

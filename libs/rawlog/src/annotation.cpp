@@ -7,14 +7,32 @@
 #include <mrpt/opengl/COpenGLScene.h>
 #include <mrpt/opengl/CSetOfLines.h>
 
+#include <stdexcept>
+
 #include "track_shapes.h"
 #include "vdamf/rawlog/annotation_table.h"
 
 namespace vdamf
 {
+namespace
+{
+bool isLabelOfAnnotations(const std::string& label)
+{
+    return label.rfind(kAnnotationLabel, 0) == 0;
+}
+}  // namespace
+
 bool isAnnotation(const mrpt::obs::CObservation& observation)
 {
-    return observation.sensorLabel.rfind(kAnnotationLabel, 0) == 0;
+    return isLabelOfAnnotations(observation.sensorLabel);
+}
+
+void checkSensorLabel(const std::string& label, const std::string& where)
+{
+    if (isLabelOfAnnotations(label))
+        throw std::runtime_error(where + ": the label '" + label + "' begins with '" +
+                                 kAnnotationLabel +
+                                 "', as what vdamf-track adds to a rawlog; choose another one");
 }
 
 bool isHead(const mrpt::serialization::CSerializable& entry)

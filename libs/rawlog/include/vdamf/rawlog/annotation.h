@@ -24,6 +24,9 @@ inline constexpr const char* kTableLabel = "vdamf_tracks";
 /// Of where the world of the poses lies in that of the tracks.
 inline constexpr const char* kAlignmentLabel = "vdamf_tracks_alignment";
 bool isAnnotation(const mrpt::obs::CObservation& observation);
+/// Throws std::runtime_error, which begins with `where`, for a sensor's label that would make its
+/// scans annotations.
+void checkSensorLabel(const std::string& label, const std::string& where);
 /// First line of the head's text.
 inline constexpr const char* kHeadBegin = "[vdamf]\n";
 bool isHead(const mrpt::serialization::CSerializable& entry);
