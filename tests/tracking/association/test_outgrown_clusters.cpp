@@ -180,5 +180,18 @@ TEST(OutgrownClusters, OfTwoCarsEachHasItsOwn)
     EXPECT_EQ(parts->vehicles[1].size(), 15U);
 }
 
+TEST(OutgrownClusters, OfACarWithHardlyAnyHitsTheyStayWithTheRest)
+{
+    Cluster both = carAndHedge();
+    addLine(both, {17.0F, -4.75F}, {17.0F, -3.0F}, 3);
+    PredictedTarget ahead = car();
+    ahead.box.x += 7.0;
+    const auto parts = KnownVehicles({car(), ahead}, {}).cut(both, kSensor);
+    ASSERT_TRUE(parts);
+    ASSERT_EQ(parts->vehicles.size(), 1U);
+    EXPECT_EQ(parts->vehicles[0].size(), 40U);
+    EXPECT_EQ(parts->rest.size(), 103U);
+}
+
 }  // namespace
 }  // namespace vdamf

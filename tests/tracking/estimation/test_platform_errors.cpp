@@ -118,6 +118,17 @@ TEST(PlatformErrors, AreToldOnceTheyHaveShown)
     EXPECT_NEAR(std::sqrt(errors.variances()(2)), 0.003, 0.0015);
 }
 
+// What stands would seem to drive until they are.
+TEST(PlatformErrors, AreToldInTheFirstFrameThatShowsThem)
+{
+    std::mt19937 random(12);
+    PlatformErrors errors{AlignmentOptions()};
+    const PlaneMotion jump{0.0, {0.15, 0.1}};
+    const auto found = errors.after(seenAfterMotion(jump, random), kFrameTime);
+    ASSERT_TRUE(found);
+    EXPECT_LT((found->motion.shift - jump.shift).norm(), 0.05);
+}
+
 TEST(PlatformErrors, AreForgottenWhileNothingTellsOfThem)
 {
     std::mt19937 random(9);

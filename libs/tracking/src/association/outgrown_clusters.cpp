@@ -108,6 +108,11 @@ std::optional<CutCluster> KnownVehicles::cut(const Cluster& cluster,
         const std::size_t k = shares.owner[i];
         appendHit(k < outgrown.size() ? parts.vehicles[k] : parts.rest, cluster, i);
     }
+    for (const Cluster& piece : parts.vehicles)
+    {
+        if (piece.size() >= kLeastHits) continue;
+        for (std::size_t i = 0; i < piece.size(); ++i) appendHit(parts.rest, piece, i);
+    }
     parts.vehicles.erase(
         std::remove_if(parts.vehicles.begin(), parts.vehicles.end(),
                        [](const Cluster& piece) { return piece.size() < kLeastHits; }),

@@ -72,7 +72,7 @@ void PlatformErrors::Spread::add(double square, double variance)
 
 double PlatformErrors::Spread::value() const
 {
-    constexpr double kLeastFrames = 2.5;  // a group of people that sets off seems to be the world
+    constexpr double kLeastFrames = 0.5;  // fewer are forgotten
     return frames_ < kLeastFrames ? 0.0 : std::max(0.0, sum_ / frames_);
 }
 

@@ -3,8 +3,6 @@
 
 #include <cmath>
 
-#include "vdamf/tracking/estimation/variable_axis_model.h"
-
 namespace vdamf
 {
 VehicleState atRest(const VehicleState& state)
@@ -21,9 +19,12 @@ VehicleState atRest(const VehicleState& state)
 
 VehicleState standingLater(const VehicleState& state, double dt, const MotionOptions& options)
 {
+    // It neither speeds up nor steers.
     VehicleState later = state;
-    const StateMatrix noise = processNoise(state.mean, dt, options);
-    for (const int row : {kX, kY, kHeading, kLength}) later.covariance(row, row) += noise(row, row);
+    later.covariance(kX, kX) += options.slipSigma * options.slipSigma * dt;
+    later.covariance(kY, kY) += options.slipSigma * options.slipSigma * dt;
+    later.covariance(kHeading, kHeading) += options.headingSigma * options.headingSigma * dt;
+    later.covariance(kLength, kLength) += options.sizeSigma * options.sizeSigma * dt;
     return later;
 }
 

@@ -277,7 +277,11 @@ VehicleState VehicleKalmanFilter::update(const VehicleState& state,
     VehicleState next = engine_->updated(
         isApart ? withLengthApart(state, measurement.fixedPoint.x()) : state, centred);
     const double gain = state.widthVariance / (state.widthVariance + measurement.covariance(4, 4));
-    next.width += gain * (measurement.box(4) - state.width);
+    const double wider = gain * (measurement.box(4) - state.width);
+    // What was observed stays where it is: the centre is farther from it, or nearer.
+    next.mean.head<2>() -=
+        0.5 * measurement.fixedPoint.y() * wider * rotation(next.mean(kHeading)).col(1);
+    next.width += wider;
     next.widthVariance *= 1.0 - gain;
     return next;
 }

@@ -119,6 +119,8 @@ Track quarterTurned(const Track& track, const Sighting& sighting, int quarters,
     next.measurement = fresh.measurement;
     next.told = fresh.told;
     next.errors = fresh.errors;
+    next.jitter = fresh.jitter;
+    next.lastingError = fresh.lastingError;
     next.busRears = fresh.busRears;
     next.around = fresh.around;
     next.assumedLength = fresh.assumedLength;

@@ -16,6 +16,8 @@ SegmentedFrame withSharedClustersCut(SegmentedFrame frame,
         std::vector<Cluster> pieces =
             cutBetween(frame.clusters[shared.cluster], sharing, frame.hits[shared.cluster].time,
                        options.association);
+        const bool isVehicle =
+            shared.cluster < frame.isVehicle.size() && frame.isVehicle[shared.cluster];
         for (std::size_t k = 0; k < pieces.size(); ++k)
         {
             Hits hits = projected(pieces[k], options.measurement.mergeCell, frame.planar);
@@ -25,6 +27,8 @@ SegmentedFrame withSharedClustersCut(SegmentedFrame frame,
                 frame.hits[shared.cluster] = std::move(hits);
                 continue;
             }
+            frame.isVehicle.resize(frame.clusters.size(), false);
+            frame.isVehicle.push_back(isVehicle);
             frame.clusters.push_back(std::move(pieces[k]));
             frame.hits.push_back(std::move(hits));
         }
