@@ -72,8 +72,8 @@ void PlatformErrors::Spread::add(double square, double variance)
 
 double PlatformErrors::Spread::value() const
 {
-    constexpr double kLeastFrames = 0.5;  // fewer are forgotten
-    return frames_ < kLeastFrames ? 0.0 : std::max(0.0, sum_ / frames_);
+    constexpr double kWithout = 2.0;  // frames without any error, as if seen before the first one
+    return std::max(0.0, sum_ / (frames_ + kWithout));
 }
 
 Eigen::Vector3d PlatformErrors::variances() const
