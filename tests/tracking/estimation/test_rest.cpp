@@ -31,7 +31,7 @@ TEST(Rest, WhatStandsIsAsSureAtAnyRateOfFrames)
     for (const double step : {0.1, 0.2, 0.5, 2.0})
         EXPECT_LT((after(2.0, step, 0.3).covariance - often).norm(), 1e-12) << step;
     EXPECT_GT(often(kX, kX), parked(0.0).covariance(kX, kX));
-    EXPECT_LT(std::sqrt(often(kX, kX)), 0.05) << "m: it does not speed up";
+    EXPECT_LT(std::sqrt(often(kX, kX)), 0.07) << "m: it does not speed up";
 }
 
 TEST(Rest, WhatStandsIsAsSureWhereverItPoints)

@@ -19,10 +19,11 @@ VehicleState atRest(const VehicleState& state)
 
 VehicleState standingLater(const VehicleState& state, double dt, const MotionOptions& options)
 {
-    // It neither speeds up nor steers.
+    // It neither speeds up nor steers, but seems to wander a little as the view of it changes.
+    constexpr double kWander = 0.035;  // m / sqrt(s)
     VehicleState later = state;
-    later.covariance(kX, kX) += options.slipSigma * options.slipSigma * dt;
-    later.covariance(kY, kY) += options.slipSigma * options.slipSigma * dt;
+    later.covariance(kX, kX) += kWander * kWander * dt;
+    later.covariance(kY, kY) += kWander * kWander * dt;
     later.covariance(kHeading, kHeading) += options.headingSigma * options.headingSigma * dt;
     later.covariance(kLength, kLength) += options.sizeSigma * options.sizeSigma * dt;
     return later;
