@@ -14,8 +14,9 @@ namespace
 namespace fs = std::filesystem;
 
 // Few, short, and unlike each other.
-const std::set<std::string> kFast = {"crossing_occlusion", "lane_change",      "parked_row",
-                                     "roundabout",         "stop_and_reverse", "street"};
+const std::set<std::string> kFast = {
+    "constant_curvature", "crossing_occlusion", "lane_change", "parked_row",
+    "roundabout",         "stop_and_reverse",   "street"};
 
 std::vector<fs::path> sortedEntries(const fs::path& folder)
 {

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Eigenvalues>
 #include <cmath>
 
 #include "tracking/estimation/measured_vehicles.h"
@@ -43,6 +44,32 @@ TEST(StartState, WhatIsSlowMayTurn)
     VehicleState free = seenTwice(20.0);
     free.steering = Steering::Independent;
     EXPECT_EQ(withUsualCurvature(free).mean, free.mean);
+}
+
+TEST(StartState, WhatTurnedUntilItsSpeedWasKnownGoesOnTurning)
+{
+    // By 0.06 rad in 0.1 s at 6 m/s: 0.1 1/m.
+    const VehicleState before = seenTwice(6.0);
+    const VehicleState sure = withTurnShown(before, {0.06, 1e-8, 0.1});
+    EXPECT_NEAR(sure.mean(kCurvature), 0.1, 1e-4);
+    EXPECT_NEAR(sure.yawRate(), 0.6, 1e-3);
+    EXPECT_LT(sure.mean(kHeading), before.mean(kHeading)) << "it erred along with that";
+    // As sure as the turn divided by the way: 0.03 rad over 0.6 m is what is known already.
+    const VehicleState vague = withTurnShown(before, {0.06, 0.03 * 0.03, 0.1});
+    EXPECT_NEAR(vague.mean(kCurvature), 0.075, 1e-9);
+    EXPECT_NEAR(vague.covariance(kCurvature, kCurvature),
+                0.5 * before.covariance(kCurvature, kCurvature), 1e-9);
+    EXPECT_GT(vague.covariance.selfadjointView<Eigen::Lower>().eigenvalues().minCoeff(), 0.0);
+    EXPECT_DOUBLE_EQ(vague.mean(kSpeed), 6.0);
+}
+
+TEST(StartState, TurnsOfWhatStandsOrSteersFreelyTellNoCurvature)
+{
+    const VehicleState stands = seenTwice(0.0);
+    EXPECT_EQ(withTurnShown(stands, {0.06, 1e-4, 0.1}).mean, stands.mean);
+    VehicleState free = seenTwice(6.0);
+    free.steering = Steering::Independent;
+    EXPECT_EQ(withTurnShown(free, {0.06, 1e-4, 0.1}).mean, free.mean);
 }
 
 Measurement rearOf(double width)

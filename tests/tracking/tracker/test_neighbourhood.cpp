@@ -242,9 +242,27 @@ TEST(HeadingOfNeighbours, TurnsWhatIsVagueAboutItsHits)
     const Sighting turned = withHeadingOfNeighbours(seen, row, kSelf);
     const OrientedBox& box = turned.measurement.box;
     EXPECT_LT(std::abs(box.heading), 0.1 * 0.25 + 0.02);
-    EXPECT_NEAR(box.x, 0.0, 1e-9);
-    EXPECT_NEAR(box.y, (0.25 - box.heading) * 2.0, 1e-9) << "the hits stay where they are";
+    const double turn = 0.25 - box.heading;
+    EXPECT_NEAR(box.x, 2.0 - 2.0 * std::cos(turn), 1e-9) << "the hits stay where they are";
+    EXPECT_NEAR(box.y, 2.0 * std::sin(turn), 1e-9);
     EXPECT_EQ(turned.measurement.covariance, seen.measurement.covariance);
+}
+
+TEST(HeadingOfNeighbours, KeepsWhatIsKnownToStandAlikeInFramesThatTellOtherwise)
+{
+    const auto row = around({surelyParkedAt(1, 0.0, 2.5, 0.0)});
+    VehicleState held = surelyParkedAt(kSelf, 0.02, 0.0, 0.0).state;
+    held.covariance(kHeading, kHeading) = 0.05 * 0.05;
+    const auto headingOf = [&](double off, double sigma)
+    {
+        return withHeadingOfNeighbours(seenInPart(off, sigma), row, kSelf, &held)
+            .measurement.box.heading;
+    };
+    EXPECT_LT(headingOf(0.6, 0.17), 0.1) << "by a part of an end, 34 degrees off";
+    EXPECT_EQ(headingOf(0.6, 0.05), 0.6) << "by far more than it may err";
+    EXPECT_EQ(headingOf(1.5, 0.35), 1.5) << "length and width may be exchanged";
+    held.mean(kHeading) = 0.4;
+    EXPECT_EQ(headingOf(0.6, 0.17), 0.6) << "known to stand otherwise";
 }
 
 TEST(HeadingOfNeighbours, LeavesWhatIsKnownBetterOrStandsOtherwise)

@@ -13,8 +13,8 @@ namespace vdamf
 {
 namespace
 {
-// What is published of a car by its first two frames.
-std::vector<Seen> seenTwice(double x, double headingDegrees)
+// What is published of a car by its first two frames. `keys`: of the car.
+std::vector<Seen> seenTwice(const std::string& keys)
 {
     const std::string scene = R"(
 [scenario]
@@ -28,11 +28,14 @@ speed_mps = 0
 
 [object car]
 class = car
-y_m = -6
 )";
-    return trackedObjects(scenarioOf(scene + "x_m = " + std::to_string(x) +
-                                     "\nheading_deg = " + std::to_string(headingDegrees) + "\n"))
-        .at("car");
+    return trackedObjects(scenarioOf(scene + keys)).at("car");
+}
+
+std::vector<Seen> seenTwice(double x, double headingDegrees)
+{
+    return seenTwice("y_m = -6\nx_m = " + std::to_string(x) +
+                     "\nheading_deg = " + std::to_string(headingDegrees) + "\n");
 }
 
 TEST(SureVehicles, ArePublishedFromTheirSecondFrameOn)
@@ -58,6 +61,20 @@ TEST(SureVehicles, AreThoseThatTheSecondFrameTells)
         ASSERT_EQ(seen.size(), 2U);
         ASSERT_EQ(seen[1].tracks.size(), 1U) << x;
         EXPECT_GT(seen[1].tracks.front().vehicleProbability.value(), 0.8) << x;
+    }
+}
+
+// While the speed is not known, nothing tells how a path that turns is bent.
+TEST(SureVehicles, TurnFromTheirSecondFrameOn)
+{
+    for (const double curvature : {-0.125, 0.125})
+    {
+        const std::vector<Seen> seen =
+            seenTwice("x_m = 20\ny_m = " + std::to_string(-64.0 * curvature) +
+                      "\nspeed_mps = 5\nsegments = 30 0 " + std::to_string(curvature) + "\n");
+        ASSERT_EQ(seen.size(), 2U);
+        ASSERT_EQ(seen[1].tracks.size(), 1U) << curvature;
+        EXPECT_NEAR(seen[1].tracks.front().yawRate, 5.0 * curvature, 0.15) << curvature;
     }
 }
 

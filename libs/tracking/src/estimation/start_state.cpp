@@ -173,6 +173,21 @@ VehicleState withUsualCurvature(const VehicleState& state)
     return next;
 }
 
+VehicleState withTurnShown(const VehicleState& state, const TurnShown& turn)
+{
+    constexpr double kStands = 1e-3;  // m: no way has a curvature
+    const double way = state.mean(kSpeed) * turn.duration;
+    if (state.steering == Steering::Independent || std::abs(way) < kStands) return state;
+    const double variance = turn.variance / (way * way);
+    const StateVector gain =
+        state.covariance.col(kCurvature) / (state.covariance(kCurvature, kCurvature) + variance);
+    VehicleState next = state;
+    next.mean += (turn.angle / way - state.mean(kCurvature)) * gain;
+    next.mean(kHeading) = wrapAngle(next.mean(kHeading));
+    next.covariance -= gain * state.covariance.row(kCurvature);
+    return next;
+}
+
 VehicleState startState(const Measurement& measurement, double height,
                         const Eigen::Vector2d& sensor, const StartSpeed& speed,
                         const VisibilityOptions& visibility, const MotionOptions& motion)

@@ -186,6 +186,47 @@ std::optional<HeadingPrior> Neighbourhood::heading(const OrientedBox& box, std::
                         std::max(1.0 / information, kLeastSpread)};
 }
 
+namespace
+{
+constexpr double kSigmas = 2.5;  // beyond which it stands otherwise
+
+// From a box to a heading or its reverse, rad.
+double turnTo(const HeadingPrior& prior, const OrientedBox& box)
+{
+    return std::remainder(prior.heading - box.heading, kPi);
+}
+
+bool agree(const HeadingPrior& prior, const OrientedBox& box, double variance, double sigmas)
+{
+    const double turn = turnTo(prior, box);
+    return turn * turn <= sigmas * sigmas * (variance + prior.variance);
+}
+
+// The heading by those around a box, where its own of some variance (rad^2) agrees with it.
+std::optional<HeadingPrior> headingAlike(const Neighbourhood& around, std::uint64_t self,
+                                         const OrientedBox& box, double variance, double sigmas)
+{
+    const auto prior = around.heading(box, self);
+    return prior && agree(*prior, box, variance, sigmas) ? prior : std::nullopt;
+}
+
+// What is known to stand alike does so in frames too that seem to tell otherwise, as parts of round
+// ends do.
+std::optional<HeadingPrior> headingAsHeld(const Neighbourhood& around, std::uint64_t self,
+                                          const VehicleState& held, const OrientedBox& box,
+                                          double variance)
+{
+    constexpr double kSigmasHeld = 1.5;
+    constexpr double kSigmasOnce = 5.0;
+    constexpr double kAcross = 0.25 * kPi;  // rad: length and width may be exchanged
+    const auto prior =
+        headingAlike(around, self, held.box(), held.covariance(kHeading, kHeading), kSigmasHeld);
+    const bool isFar = prior && (std::abs(turnTo(*prior, box)) > kAcross ||
+                                 !agree(*prior, box, variance, kSigmasOnce));
+    return isFar ? std::nullopt : prior;
+}
+}  // namespace
+
 double placeTaken(const Measurement& measurement, double height, const Eigen::Vector2d& sensor,
                   const Neighbourhood& around, std::uint64_t self, const TrackerOptions& options)
 {
@@ -195,22 +236,18 @@ double placeTaken(const Measurement& measurement, double height, const Eigen::Ve
     return around.isTaken(box, self) ? kTaken : 0.0;
 }
 
-Sighting withHeadingOfNeighbours(Sighting sighting, const Neighbourhood& around, std::uint64_t self)
+Sighting withHeadingOfNeighbours(Sighting sighting, const Neighbourhood& around, std::uint64_t self,
+                                 const VehicleState* held)
 {
     constexpr double kVague = 1.5 * kPi / 180.0;  // rad: others tell it themselves
-    constexpr double kSigmas = 2.5;               // beyond which it stands otherwise
+    OrientedBox& box = sighting.measurement.box;
     const double variance = sighting.measurement.covariance(2, 2);
     if (variance < kVague * kVague) return sighting;
-    OrientedBox& box = sighting.measurement.box;
-    const auto prior = around.heading(box, self);
+    auto prior = headingAlike(around, self, box, variance, kSigmas);
+    if (!prior && held) prior = headingAsHeld(around, self, *held, box, variance);
     if (!prior) return sighting;
-    const double off = prior->heading - box.heading;
-    const double both = variance + prior->variance;
-    if (off * off > kSigmas * kSigmas * both) return sighting;
-    const Vector5d change = variance / both * off * byTurn(box.centre() - sighting.around.centre());
-    box.x += change(0);
-    box.y += change(1);
-    box.heading = wrapAngle(box.heading + change(2));
+    const double turn = variance / (variance + prior->variance) * turnTo(*prior, box);
+    box = turnedAbout(sighting.around.centre(), turn, box);
     return sighting;
 }
 

@@ -78,8 +78,9 @@ double placeTaken(const Measurement& measurement, double height, const Eigen::Ve
 
 /// The sighting with its box turned, about the middle of the hits, towards the heading of the
 /// vehicles around it, as far as its own is uncertain. What it says of its errors stays as it is:
-/// the neighbours tell the same in each frame.
-Sighting withHeadingOfNeighbours(Sighting sighting, const Neighbourhood& around,
-                                 std::uint64_t self);
+/// the neighbours tell the same in each frame. `held`: what is known of the vehicle, if anything:
+/// one that is known to stand as they do is taken to where a single frame tells otherwise.
+Sighting withHeadingOfNeighbours(Sighting sighting, const Neighbourhood& around, std::uint64_t self,
+                                 const VehicleState* held = nullptr);
 
 }  // namespace vdamf

@@ -30,6 +30,7 @@ struct PathPoint
     OrientedBox box;                                 ///< m, rad
     FaceSet located;                                 ///< those whose place the measurement told
     Eigen::Vector2d hits = Eigen::Vector2d::Zero();  ///< middle of their rectangle, m
+    double headingVariance = 0.0;                    ///< of the measurement, rad^2
 };
 
 /// What the discriminator holds of a track.

@@ -131,6 +131,16 @@ Track openToGrowth(Track track, const Measurement& m, double lag, const TrackerO
     return track;
 }
 
+// From the sighting that started the track to a box measured at a time.
+std::optional<TurnShown> turnSinceStart(const Track& track, const BoxMeasurement& box, double time)
+{
+    constexpr double kMost = 0.3;  // rad: other faces, or others' hits
+    const PathPoint& start = track.path.back();
+    const double angle = std::remainder(box.box(2) - start.box.heading, kPi);
+    if (std::abs(angle) > kMost) return std::nullopt;
+    return TurnShown{angle, start.headingVariance + box.covariance(2, 2), time - start.time};
+}
+
 // The hypotheses, and how they err, after a box measured `dt` seconds after the one before.
 Track updatedBy(const BoxMeasurement& box, Track track, const VehicleState& then, double dt,
                 VehicleKalmanFilter& filter, const TrackerOptions& options)
@@ -142,7 +152,15 @@ Track updatedBy(const BoxMeasurement& box, Track track, const VehicleState& then
     hypotheses = updated(hypotheses, box, jitter, filter, options.lifecycle.nisGate);
     if (*track.nis > options.lifecycle.nisGate) track.surprisedAt = track.sightings + 1;
     if (track.sightings == track.startedAt)
-        hypotheses.forEach([](VehicleState& state) { state = withUsualCurvature(state); });
+    {
+        const auto turn = turnSinceStart(track, box, track.lastSeen + dt + box.lag);
+        hypotheses.forEach(
+            [&](VehicleState& state)
+            {
+                state = withUsualCurvature(state);
+                if (turn) state = withTurnShown(state, *turn);
+            });
+    }
     track.lastingError = lastingError(box, jitter);
     track.errors = toldErrors(box, track.jitter, repeatedHits(track), track.errors);
     return track;
@@ -169,7 +187,8 @@ Track takenIn(Track track, const Sighting& sighting, const BoxMeasurement& box,
     appendToPath(track, {sighting.time + sighting.lag,
                          {b(0), b(1), b(2), b(3), b(4)},
                          locatedFaces(m),
-                         sighting.around.centre()});
+                         sighting.around.centre(),
+                         box.covariance(2, 2)});
     return track;
 }
 
@@ -219,7 +238,7 @@ Track startedTrack(std::uint64_t id, const Sighting& sighting, const StartSpeed&
     track.lastMatch = m.match;
     if (options.lifecycle.confirmHits <= 1) track.status = TrackStatus::Confirmed;
     appendToPath(track, {sighting.time + sighting.lag, seen.box(), locatedFaces(m),
-                         sighting.around.centre()});
+                         sighting.around.centre(), m.covariance(2, 2)});
     return track;
 }
 

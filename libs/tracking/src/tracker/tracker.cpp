@@ -191,9 +191,9 @@ private:
                 if (sightings[j])
                 {
                     const Sighting seen =
-                        track.stood()
-                            ? withHeadingOfNeighbours(std::move(*sightings[j]), around, track.id)
-                            : std::move(*sightings[j]);
+                        track.stood() ? withHeadingOfNeighbours(std::move(*sightings[j]), around,
+                                                                track.id, &track.state)
+                                      : std::move(*sightings[j]);
                     track = typeFilters_.judged(
                         sightedTrack(std::move(track), seen, around, filters_[worker], options_),
                         seen);

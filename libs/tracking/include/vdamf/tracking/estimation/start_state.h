@@ -24,6 +24,18 @@ VehicleState startState(const Measurement& measurement, double height,
 /// ones hardly turn (2 m/s^2 across, one sigma).
 VehicleState withUsualCurvature(const VehicleState& state);
 
+/// How far a vehicle turned between two sightings, counter-clockwise.
+struct TurnShown
+{
+    double angle = 0.0;     ///< rad
+    double variance = 0.0;  ///< rad^2
+    double duration = 0.0;  ///< s
+};
+
+/// The state of a vehicle whose speed has just become known, with the curvature of its path that
+/// its turn until then tells: while the speed was not known, the update could not.
+VehicleState withTurnShown(const VehicleState& state, const TurnShown& turn);
+
 /// Which sizes of a vehicle have been seen from end to end.
 struct SizesTold
 {
