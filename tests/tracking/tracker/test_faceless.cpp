@@ -129,6 +129,21 @@ TEST_F(Faceless, WhoTurnsOnTheSpotIsFollowed)
     EXPECT_NEAR(track_.state.mean(kSpeed), 1.5, 0.4);
 }
 
+TEST_F(Faceless, WhoIsFastHardlyTurns)
+{
+    const auto headingSigmaAfterAMiss = [&](double speed)
+    {
+        track_ = {};
+        for (int k = 0; !track_.isFaceless && k < 20; ++k)
+            see(bicycleAt({10.0 + speed * kStep * k, 5.0}, 0.0, kStep * k), 0.02);
+        EXPECT_TRUE(track_.isFaceless) << speed;
+        track_ = predictedTrack(std::move(track_), 0.4, {0.0, 0.0}, filter_, options_.motion);
+        return std::sqrt(track_.state.covariance(kHeading, kHeading));
+    };
+    EXPECT_GT(headingSigmaAfterAMiss(kRide), 0.12) << "who is slow may";
+    EXPECT_LT(headingSigmaAfterAMiss(25.0), 0.1);
+}
+
 TEST(BodyAround, IsNoThinnerThanABodyAndGrowsAwayFromTheSensor)
 {
     const OrientedBox front{10.0, 0.0, 0.0, 0.1, 0.6};

@@ -54,6 +54,9 @@ Eigen::Vector2d sizeAlong(const OrientedBox& box, double heading)
 VehicleState stateOn(const Way& way, const OrientedBox& around, const MotionOptions& motion)
 {
     constexpr double kCurvatureSigma = 0.1;  // 1/m
+    constexpr double kAcrossSigma = 2.0;     // m/s^2: who is fast hardly turns
+    const double curvatureSigma =
+        std::min(kCurvatureSigma, kAcrossSigma / (way.speed() * way.speed()));
     const double waySigma = std::sqrt(2.0) * kMiddleSigma;
     const Eigen::Vector2d size = sizeAlong(around, way.direction);
     VehicleState state;
@@ -61,7 +64,7 @@ VehicleState stateOn(const Way& way, const OrientedBox& around, const MotionOpti
         size.x();
     StateVector sigma;
     sigma << kMiddleSigma, kMiddleSigma, waySigma / way.distance, waySigma / way.duration,
-        kCurvatureSigma, motion.axisFractionSigma * size.x(), kMiddleSigma;
+        curvatureSigma, motion.axisFractionSigma * size.x(), kMiddleSigma;
     state.covariance.diagonal() = sigma.cwiseAbs2();
     state.width = size.y();
     state.widthVariance = kMiddleSigma * kMiddleSigma;
