@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tracker/segmentation.h"
 
+#include <cstdint>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 #include "vdamf/tracking/preprocessing/range_profile.h"
@@ -36,6 +38,19 @@ SegmentedFrame withHits(SegmentedFrame frame, const MeasureOptions& options, Wor
         frame.clusters.size(), [&](std::size_t i, std::size_t)
         { frame.hits[i] = projected(frame.clusters[i], options.mergeCell, frame.planar); });
     return frame;
+}
+
+std::vector<Cluster> clusteredAnew(Cluster hits, const SegmentedFrame& frame,
+                                   ClusterOptions options)
+{
+    options.maxExtent = std::numeric_limits<double>::infinity();
+    AboveGround above{std::vector<std::uint32_t>(hits.size()), std::move(hits.height)};
+    std::iota(above.index.begin(), above.index.end(), 0U);
+    LadarFrame alone;
+    alone.sensor << frame.sensor, frame.sensorZ;
+    alone.points = {
+        std::move(hits.x), std::move(hits.y), std::move(hits.z), {}, std::move(hits.time)};
+    return clusterPoints(alone, above, options);
 }
 
 }  // namespace vdamf

@@ -2,16 +2,15 @@
 #include "tracker/vehicle_cut.h"
 
 #include <algorithm>
-#include <cstdint>
 #include <iterator>
-#include <limits>
-#include <numeric>
 #include <utility>
 
 #include "association/outgrown_clusters.h"
 #include "association/plane_index.h"
 #include "preprocessing/convex_pieces.h"
 #include "tracker/attention.h"
+#include "tracker/newcomers.h"
+#include "tracker/segmentation.h"
 #include "tracker/vehicles_among.h"
 #include "types/cluster_bounds.h"
 
@@ -19,20 +18,6 @@ namespace vdamf
 {
 namespace
 {
-// Without what was cut out, the rest may fall into several.
-std::vector<Cluster> clusteredAnew(Cluster hits, const SegmentedFrame& frame,
-                                   ClusterOptions options)
-{
-    options.maxExtent = std::numeric_limits<double>::infinity();
-    AboveGround above{std::vector<std::uint32_t>(hits.size()), std::move(hits.height)};
-    std::iota(above.index.begin(), above.index.end(), 0U);
-    LadarFrame alone;
-    alone.sensor << frame.sensor, frame.sensorZ;
-    alone.points = {
-        std::move(hits.x), std::move(hits.y), std::move(hits.z), {}, std::move(hits.time)};
-    return clusterPoints(alone, above, options);
-}
-
 // Clusters to be, of vehicles and of all else.
 struct Parts
 {
@@ -85,6 +70,7 @@ SegmentedFrame withVehiclesCutOut(SegmentedFrame frame, const std::vector<Predic
 {
     // What is smaller holds no more than a part of a car's end and a twig.
     constexpr double kLeastExtent = 2.0;  // m
+    frame = withNewcomersCutOff(std::move(frame), targets, tracks, options.clustering);
     const KnownVehicles known(targets, options.association);
     const Clutter clutter = clutterOf(targets, tracks, discriminator);
     Parts all;

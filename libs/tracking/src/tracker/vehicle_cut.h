@@ -12,11 +12,11 @@
 
 namespace vdamf
 {
-/// Clusters whose outline is dented are searched for cars: those of the tracks that they outgrow,
-/// and those that show between the dents. Where known clutter lies in one without dents, such
-/// tracks tell as well which hits are theirs. What lies on one comes behind all clusters, marked as
-/// a vehicle's, and what does not is clustered anew. Then what is longer than [clustering]
-/// max_extent_m is dropped.
+/// First newcomers are cut off (newcomers.h). Clusters whose outline is dented are searched for
+/// cars: those of the tracks that they outgrow, and those that show between the dents. Where known
+/// clutter lies in one without dents, such tracks tell as well which hits are theirs. What lies on
+/// one comes behind all clusters, marked as a vehicle's, and what does not is clustered anew. Then
+/// what is longer than [clustering] max_extent_m is dropped.
 ///
 /// `targets`: of the tracks, in their order. No new cars are looked for in clutter that is passed
 /// over in this frame (isPassedOver), by the oldest track in it.
