@@ -19,6 +19,8 @@ namespace
 constexpr double kMayGrow = 0.5;          // m, to each side, as more of it shows
 constexpr std::size_t kNewcomerHits = 8;  // at least
 constexpr std::size_t kStayingHits = 3;   // of what stands
+constexpr std::size_t kOfTwo = 16;        // hits, of both
+constexpr double kExtentOfTwo = 2.0;      // m
 
 double diagonalOf(const OrientedBox& box)
 {
@@ -83,9 +85,10 @@ SegmentedFrame withNewcomersCutOff(SegmentedFrame frame,
     for (Cluster& cluster : frame.clusters)
     {
         std::optional<Parted> parts;
-        if (cluster.size() >= kNewcomerHits + kStayingHits)
+        const ClusterBounds bounds = boundsOf(cluster);
+        if (cluster.size() >= kOfTwo && bounds.diagonal() >= kExtentOfTwo)
         {
-            const auto held = places.overlapping(PlaneBounds::around(boundsOf(cluster)));
+            const auto held = places.overlapping(PlaneBounds::around(bounds));
             const std::size_t j = held.size() == 1 ? clutter[held.front()] : targets.size();
             if (j < targets.size() && mayBeTouched(targets[j], tracks[j]))
                 parts = parted(cluster, targets[j]);
