@@ -49,7 +49,8 @@ TEST(StartState, WhatIsSlowMayTurn)
 TEST(StartState, WhatTurnedUntilItsSpeedWasKnownGoesOnTurning)
 {
     // By 0.06 rad in 0.1 s at 6 m/s: 0.1 1/m.
-    const VehicleState before = seenTwice(6.0);
+    VehicleState before = seenTwice(6.0);
+    before.covariance(kSpeed, kSpeed) = 1e-10;
     const VehicleState sure = withTurnShown(before, {0.06, 1e-8, 0.1});
     EXPECT_NEAR(sure.mean(kCurvature), 0.1, 1e-4);
     EXPECT_NEAR(sure.yawRate(), 0.6, 1e-3);
@@ -61,6 +62,19 @@ TEST(StartState, WhatTurnedUntilItsSpeedWasKnownGoesOnTurning)
                 0.5 * before.covariance(kCurvature, kCurvature), 1e-9);
     EXPECT_GT(vague.covariance.selfadjointView<Eigen::Lower>().eigenvalues().minCoeff(), 0.0);
     EXPECT_DOUBLE_EQ(vague.mean(kSpeed), 6.0);
+    // A speed of 6 +- 3 m/s leaves half of the turn open, and a way back is the same path.
+    before.covariance(kSpeed, kSpeed) = 9.0;
+    EXPECT_NEAR(withTurnShown(before, {0.06, 1e-12, 0.1}).mean(kCurvature), 0.075, 1e-6);
+    before.covariance(kSpeed, kSpeed) = 1e-10;
+    before.mean(kSpeed) = -6.0;
+    EXPECT_NEAR(withTurnShown(before, {-0.06, 1e-8, 0.1}).mean(kCurvature), 0.1, 1e-4);
+}
+
+TEST(StartState, TurnsTooSharpToBeTrueTellNothing)
+{
+    const VehicleState before = seenTwice(3.0);
+    // 0.8 1/m, of which 0.05 +- 0.05 was known.
+    EXPECT_EQ(withTurnShown(before, {0.25, 5e-5, 0.1}).mean, before.mean);
 }
 
 TEST(StartState, TurnsOfWhatStandsOrSteersFreelyTellNoCurvature)

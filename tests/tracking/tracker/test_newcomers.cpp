@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <vector>
 
 namespace vdamf
 {
@@ -24,13 +25,12 @@ void addRows(Cluster& cluster, float fromX, float toX, float y)
         }
 }
 
-// A bush from 10 to 11 m ahead, and what touches it, up to some x, m.
+// A bush from 9 to 11 m ahead, and what touches it, up to some x, m.
 SegmentedFrame bushWith(float upTo)
 {
     SegmentedFrame frame;
     frame.clusters.resize(1);
-    addRows(frame.clusters[0], 10.0F, 11.0F, 4.0F);
-    addRows(frame.clusters[0], 11.0F, upTo, 4.0F);
+    addRows(frame.clusters[0], 9.0F, upTo, 4.0F);
     return frame;
 }
 
@@ -38,7 +38,7 @@ SegmentedFrame bushWith(float upTo)
 PredictedTarget bushBefore()
 {
     PredictedTarget target;
-    target.box = {10.5, 4.0, 0.0, 1.0, 0.2};
+    target.box = {10.0, 4.0, 0.0, 2.0, 0.2};
     target.isClutter = true;
     return target;
 }
@@ -75,8 +75,31 @@ TEST(Newcomers, AreClustersOfTheirOwn)
 TEST(Newcomers, AreNoMoreThanALittleOfTheSame)
 {
     EXPECT_EQ(clustersOf(bushWith(11.4F), surelyABush()), 1U);
-    EXPECT_EQ(clustersOf(bushWith(12.0F), surelyABush()), 1U) << "half a metre beyond what may be";
+    EXPECT_EQ(clustersOf(bushWith(12.3F), surelyABush()), 1U) << "16 hits over 0.8 m";
     EXPECT_EQ(clustersOf(bushWith(13.0F), surelyABush()), 2U);
+}
+
+// 14 hits to each side of it: of one thing they would be enough.
+TEST(Newcomers, AreOneThingEach)
+{
+    SegmentedFrame frame;
+    frame.clusters.resize(1);
+    addRows(frame.clusters[0], 7.8F, 12.2F, 4.0F);
+    const SegmentedFrame after = withNewcomersCutOff(frame, {bushBefore()}, {surelyABush()}, {});
+    ASSERT_EQ(after.clusters.size(), 1U);
+    EXPECT_EQ(after.clusters[0].x, frame.clusters[0].x);
+}
+
+// Hits beyond it that are no newcomer's stay with it.
+TEST(Newcomers, TakeNoHitsAlong)
+{
+    SegmentedFrame frame = bushWith(15.0F);
+    addRows(frame.clusters[0], 8.2F, 8.4F, 4.0F);
+    const SegmentedFrame after = withNewcomersCutOff(frame, {bushBefore()}, {surelyABush()}, {});
+    ASSERT_EQ(after.clusters.size(), 2U);
+    const std::vector<float>& bush = after.clusters[0].x;
+    EXPECT_EQ(std::count_if(bush.begin(), bush.end(), [](float x) { return x < 8.5F; }), 4);
+    EXPECT_EQ(after.clusters[0].size() + after.clusters[1].size(), frame.clusters[0].size());
 }
 
 TEST(Newcomers, TouchOnlyWhatStandsAndSurelyIsNoVehicle)
@@ -94,6 +117,9 @@ TEST(Newcomers, TouchOnlyWhatStandsAndSurelyIsNoVehicle)
     track = surelyABush();
     track.sightings = 2;
     EXPECT_EQ(clustersOf(frame, track), 1U);
+    PredictedTarget mayBeOne = bushBefore();
+    mayBeOne.isClutter = false;
+    EXPECT_EQ(clustersOf(frame, surelyABush(), mayBeOne), 1U);
 }
 
 TEST(Newcomers, AreNotToldFromHedgesThatComeIntoView)

@@ -176,13 +176,18 @@ VehicleState withUsualCurvature(const VehicleState& state)
 VehicleState withTurnShown(const VehicleState& state, const TurnShown& turn)
 {
     constexpr double kStands = 1e-3;  // m: no way has a curvature
-    const double way = state.mean(kSpeed) * turn.duration;
+    constexpr double kSigmas = 3.0;   // beyond which the headings err
+    const double speed = state.mean(kSpeed);
+    const double way = speed * turn.duration;
     if (state.steering == Steering::Independent || std::abs(way) < kStands) return state;
-    const double variance = turn.variance / (way * way);
-    const StateVector gain =
-        state.covariance.col(kCurvature) / (state.covariance(kCurvature, kCurvature) + variance);
+    const double bySpeed = turn.angle * turn.angle * state.covariance(kSpeed, kSpeed);
+    const double variance = (turn.variance + bySpeed / (speed * speed)) / (way * way);
+    const double both = state.covariance(kCurvature, kCurvature) + variance;
+    const double news = turn.angle / way - state.mean(kCurvature);
+    if (news * news > kSigmas * kSigmas * both) return state;
+    const StateVector gain = state.covariance.col(kCurvature) / both;
     VehicleState next = state;
-    next.mean += (turn.angle / way - state.mean(kCurvature)) * gain;
+    next.mean += news * gain;
     next.mean(kHeading) = wrapAngle(next.mean(kHeading));
     next.covariance -= gain * state.covariance.row(kCurvature);
     return next;

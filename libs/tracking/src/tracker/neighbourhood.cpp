@@ -188,7 +188,7 @@ std::optional<HeadingPrior> Neighbourhood::heading(const OrientedBox& box, std::
 
 namespace
 {
-constexpr double kSigmas = 2.5;  // beyond which it stands otherwise
+constexpr double kSigmasAlike = 2.5;  // beyond which it stands otherwise
 
 // From a box to a heading or its reverse, rad.
 double turnTo(const HeadingPrior& prior, const OrientedBox& box)
@@ -210,8 +210,8 @@ std::optional<HeadingPrior> headingAlike(const Neighbourhood& around, std::uint6
     return prior && agree(*prior, box, variance, sigmas) ? prior : std::nullopt;
 }
 
-// What is known to stand alike does so in frames too that seem to tell otherwise, as parts of round
-// ends do.
+// What is known to stand alike does so in vague frames too that seem to tell otherwise, as parts of
+// round ends do.
 std::optional<HeadingPrior> headingAsHeld(const Neighbourhood& around, std::uint64_t self,
                                           const VehicleState& held, const OrientedBox& box,
                                           double variance)
@@ -243,7 +243,7 @@ Sighting withHeadingOfNeighbours(Sighting sighting, const Neighbourhood& around,
     OrientedBox& box = sighting.measurement.box;
     const double variance = sighting.measurement.covariance(2, 2);
     if (variance < kVague * kVague) return sighting;
-    auto prior = headingAlike(around, self, box, variance, kSigmas);
+    auto prior = headingAlike(around, self, box, variance, kSigmasAlike);
     if (!prior && held) prior = headingAsHeld(around, self, *held, box, variance);
     if (!prior) return sighting;
     const double turn = variance / (variance + prior->variance) * turnTo(*prior, box);

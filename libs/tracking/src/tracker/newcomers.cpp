@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tracker/newcomers.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
-#include <optional>
 #include <utility>
 
 #include "association/plane_index.h"
@@ -16,15 +16,19 @@ namespace vdamf
 {
 namespace
 {
-constexpr double kMayGrow = 0.5;          // m, to each side, as more of it shows
-constexpr std::size_t kNewcomerHits = 8;  // at least
-constexpr std::size_t kStayingHits = 3;   // of what stands
-constexpr std::size_t kOfTwo = 16;        // hits, of both
-constexpr double kExtentOfTwo = 2.0;      // m
+constexpr double kMayGrow = 0.5;         // m, to each side, as more of it shows
+constexpr std::size_t kStayingHits = 3;  // of what stands
+constexpr std::size_t kHitsOfTwo = 16;   // of it and a newcomer
+constexpr double kExtentOfTwo = 2.0;     // m
 
 double diagonalOf(const OrientedBox& box)
 {
     return std::hypot(box.length, box.width);
+}
+
+void append(Cluster& to, const Cluster& more)
+{
+    for (std::size_t i = 0; i < more.size(); ++i) appendHit(to, more, i);
 }
 
 // What is larger comes into view part by part.
@@ -49,28 +53,51 @@ PlaneIndex placesOf(const std::vector<PredictedTarget>& targets, std::vector<std
     return PlaneIndex(std::move(places));
 }
 
+// What stands, and what is beyond it.
 struct Parted
 {
     Cluster old, fresh;
 };
 
-// Nothing where all may well be what was there before.
-std::optional<Parted> parted(const Cluster& cluster, const PredictedTarget& stands)
+Parted parted(const Cluster& cluster, const OrientedBox& stands)
 {
-    constexpr double kLeastExtent = 1.0;  // m, of a newcomer
-    if (boundsOf(cluster).diagonal() < diagonalOf(stands.box) + kMayGrow) return std::nullopt;
     Parted parts;
     for (std::size_t i = 0; i < cluster.size(); ++i)
     {
-        const Eigen::Vector2d p = toBoxFrame(stands.box, {cluster.x[i], cluster.y[i]}).cwiseAbs();
-        const bool isNear = p.x() <= 0.5 * stands.box.length + kMayGrow &&
-                            p.y() <= 0.5 * stands.box.width + kMayGrow;
+        const Eigen::Vector2d p = toBoxFrame(stands, {cluster.x[i], cluster.y[i]}).cwiseAbs();
+        const bool isNear =
+            p.x() <= 0.5 * stands.length + kMayGrow && p.y() <= 0.5 * stands.width + kMayGrow;
         appendHit(isNear ? parts.old : parts.fresh, cluster, i);
     }
-    const bool isCut = parts.old.size() >= kStayingHits && parts.fresh.size() >= kNewcomerHits &&
-                       boundsOf(parts.fresh).diagonal() > kLeastExtent;
-    if (!isCut) return std::nullopt;
     return parts;
+}
+
+bool isNewcomer(const Cluster& cluster)
+{
+    constexpr std::size_t kHits = 8;
+    constexpr double kExtent = 1.0;  // m
+    return cluster.size() >= kHits && boundsOf(cluster).diagonal() > kExtent;
+}
+
+// What stands, with the hits beyond it that are no newcomer's, and the newcomers; nothing where
+// there are none.
+std::vector<Cluster> withoutNewcomers(const Cluster& cluster, const PredictedTarget& stands,
+                                      const SegmentedFrame& frame, const ClusterOptions& options)
+{
+    if (boundsOf(cluster).diagonal() < diagonalOf(stands.box) + kMayGrow) return {};
+    Parted parts = parted(cluster, stands.box);
+    if (parts.old.size() < kStayingHits || !isNewcomer(parts.fresh)) return {};
+    ClusteredHits beyond = clusteredAnew(std::move(parts.fresh), frame, options);
+    std::vector<Cluster> all(1);
+    for (Cluster& one : beyond.clusters)
+        if (isNewcomer(one))
+            all.push_back(std::move(one));
+        else
+            append(parts.old, one);
+    if (all.size() == 1) return {};
+    append(parts.old, beyond.loose);
+    all.front() = std::move(parts.old);
+    return all;
 }
 }  // namespace
 
@@ -84,23 +111,17 @@ SegmentedFrame withNewcomersCutOff(SegmentedFrame frame,
     all.reserve(frame.clusters.size());
     for (Cluster& cluster : frame.clusters)
     {
-        std::optional<Parted> parts;
+        std::vector<Cluster> parts;
         const ClusterBounds bounds = boundsOf(cluster);
-        if (cluster.size() >= kOfTwo && bounds.diagonal() >= kExtentOfTwo)
+        if (cluster.size() >= kHitsOfTwo && bounds.diagonal() >= kExtentOfTwo)
         {
             const auto held = places.overlapping(PlaneBounds::around(bounds));
             const std::size_t j = held.size() == 1 ? clutter[held.front()] : targets.size();
             if (j < targets.size() && mayBeTouched(targets[j], tracks[j]))
-                parts = parted(cluster, targets[j]);
+                parts = withoutNewcomers(cluster, targets[j], frame, options);
         }
-        if (!parts)
-        {
-            all.push_back(std::move(cluster));
-            continue;
-        }
-        all.push_back(std::move(parts->old));
-        std::vector<Cluster> fresh = clusteredAnew(std::move(parts->fresh), frame, options);
-        std::move(fresh.begin(), fresh.end(), std::back_inserter(all));
+        if (parts.empty()) parts.push_back(std::move(cluster));
+        std::move(parts.begin(), parts.end(), std::back_inserter(all));
     }
     frame.clusters = std::move(all);
     return frame;

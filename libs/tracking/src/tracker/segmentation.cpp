@@ -40,8 +40,7 @@ SegmentedFrame withHits(SegmentedFrame frame, const MeasureOptions& options, Wor
     return frame;
 }
 
-std::vector<Cluster> clusteredAnew(Cluster hits, const SegmentedFrame& frame,
-                                   ClusterOptions options)
+ClusteredHits clusteredAnew(Cluster hits, const SegmentedFrame& frame, ClusterOptions options)
 {
     options.maxExtent = std::numeric_limits<double>::infinity();
     AboveGround above{std::vector<std::uint32_t>(hits.size()), std::move(hits.height)};
@@ -50,7 +49,7 @@ std::vector<Cluster> clusteredAnew(Cluster hits, const SegmentedFrame& frame,
     alone.sensor << frame.sensor, frame.sensorZ;
     alone.points = {
         std::move(hits.x), std::move(hits.y), std::move(hits.z), {}, std::move(hits.time)};
-    return clusterPoints(alone, above, options);
+    return clusterHits(alone, above, options);
 }
 
 }  // namespace vdamf

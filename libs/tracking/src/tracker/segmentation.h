@@ -2,8 +2,6 @@
 // From the hits above the ground to clusters, and what the sensor sees past them.
 #pragma once
 
-#include <vector>
-
 #include "tracker/field_of_view.h"
 #include "tracker/sighting.h"
 #include "tracker/worker_pool.h"
@@ -18,10 +16,9 @@ namespace vdamf
 SegmentedFrame segmentedFrame(const LadarFrame& frame, const AboveGround& above,
                               const FieldOfView& view, ClusterOptions options);
 
-/// The clusters of some hits of a frame, of any extent: where others were cut out, the rest may
-/// fall into several.
-std::vector<Cluster> clusteredAnew(Cluster hits, const SegmentedFrame& frame,
-                                   ClusterOptions options);
+/// The clusters of some hits of a frame, of any extent, and what is in none: where others were cut
+/// out, the rest may fall into several.
+ClusteredHits clusteredAnew(Cluster hits, const SegmentedFrame& frame, ClusterOptions options);
 
 /// The frame with the hits of all its clusters projected.
 SegmentedFrame withHits(SegmentedFrame frame, const MeasureOptions& options, WorkerPool& workers);

@@ -131,10 +131,14 @@ Track openToGrowth(Track track, const Measurement& m, double lag, const TrackerO
     return track;
 }
 
-// From the sighting that started the track to a box measured at a time.
-std::optional<TurnShown> turnSinceStart(const Track& track, const BoxMeasurement& box, double time)
+// From the sighting that started the track to a box measured at a time. Nothing where the speed
+// was known before: then an update takes the turn in itself. `then`: what was foretold.
+std::optional<TurnShown> turnSinceStart(const Track& track, const BoxMeasurement& box,
+                                        const VehicleState& then, double time)
 {
-    constexpr double kMost = 0.3;  // rad: other faces, or others' hits
+    constexpr double kMost = 0.3;      // rad: other faces, or others' hits
+    constexpr double kUnknown = 0.01;  // m/s
+    if (std::abs(then.mean(kSpeed)) > kUnknown) return std::nullopt;
     const PathPoint& start = track.path.back();
     const double angle = std::remainder(box.box(2) - start.box.heading, kPi);
     if (std::abs(angle) > kMost) return std::nullopt;
@@ -153,7 +157,7 @@ Track updatedBy(const BoxMeasurement& box, Track track, const VehicleState& then
     if (*track.nis > options.lifecycle.nisGate) track.surprisedAt = track.sightings + 1;
     if (track.sightings == track.startedAt)
     {
-        const auto turn = turnSinceStart(track, box, track.lastSeen + dt + box.lag);
+        const auto turn = turnSinceStart(track, box, then, track.lastSeen + dt + box.lag);
         hypotheses.forEach(
             [&](VehicleState& state)
             {

@@ -31,7 +31,8 @@ Parts cutBy(const KnownVehicles& vehicles, Cluster cluster, const SegmentedFrame
     auto cut = vehicles.cut(cluster, frame.sensor);
     Parts parts;
     if (cut)
-        parts = {std::move(cut->vehicles), clusteredAnew(std::move(cut->rest), frame, options)};
+        parts = {std::move(cut->vehicles),
+                 clusteredAnew(std::move(cut->rest), frame, options).clusters};
     else
         parts.rest.push_back(std::move(cluster));
     return parts;

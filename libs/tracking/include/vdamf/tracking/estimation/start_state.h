@@ -33,7 +33,8 @@ struct TurnShown
 };
 
 /// The state of a vehicle whose speed has just become known, with the curvature of its path that
-/// its turn until then tells: while the speed was not known, the update could not.
+/// its turn until then tells: while the speed was not known, the update could not. Turns that are
+/// too sharp to be true change nothing.
 VehicleState withTurnShown(const VehicleState& state, const TurnShown& turn);
 
 /// Which sizes of a vehicle have been seen from end to end.
