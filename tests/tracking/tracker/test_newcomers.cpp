@@ -90,16 +90,14 @@ TEST(Newcomers, AreOneThingEach)
     EXPECT_EQ(after.clusters[0].x, frame.clusters[0].x);
 }
 
-// Hits beyond it that are no newcomer's stay with it.
-TEST(Newcomers, TakeNoHitsAlong)
+TEST(Newcomers, LeaveOtherHitsLoose)
 {
     SegmentedFrame frame = bushWith(15.0F);
-    addRows(frame.clusters[0], 8.2F, 8.4F, 4.0F);
+    addRows(frame.clusters[0], 8.2F, 8.35F, 4.0F);
     const SegmentedFrame after = withNewcomersCutOff(frame, {bushBefore()}, {surelyABush()}, {});
     ASSERT_EQ(after.clusters.size(), 2U);
-    const std::vector<float>& bush = after.clusters[0].x;
-    EXPECT_EQ(std::count_if(bush.begin(), bush.end(), [](float x) { return x < 8.5F; }), 4);
-    EXPECT_EQ(after.clusters[0].size() + after.clusters[1].size(), frame.clusters[0].size());
+    EXPECT_EQ(after.loose.size(), 4U);
+    EXPECT_EQ(after.clusters[0].size() + after.clusters[1].size() + 4U, frame.clusters[0].size());
 }
 
 TEST(Newcomers, TouchOnlyWhatStandsAndSurelyIsNoVehicle)

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <optional>
 #include <utility>
 
 #include "association/plane_index.h"
@@ -79,24 +80,17 @@ bool isNewcomer(const Cluster& cluster)
     return cluster.size() >= kHits && boundsOf(cluster).diagonal() > kExtent;
 }
 
-// What stands, with the hits beyond it that are no newcomer's, and the newcomers; nothing where
-// there are none.
-std::vector<Cluster> withoutNewcomers(const Cluster& cluster, const PredictedTarget& stands,
-                                      const SegmentedFrame& frame, const ClusterOptions& options)
+// What stands, in place of the cluster, and what is beyond it; nothing where that is no newcomer.
+std::optional<ClusteredHits> withoutNewcomers(const Cluster& cluster, const PredictedTarget& stands,
+                                              const SegmentedFrame& frame,
+                                              const ClusterOptions& options)
 {
-    if (boundsOf(cluster).diagonal() < diagonalOf(stands.box) + kMayGrow) return {};
+    if (boundsOf(cluster).diagonal() < diagonalOf(stands.box) + kMayGrow) return std::nullopt;
     Parted parts = parted(cluster, stands.box);
-    if (parts.old.size() < kStayingHits || !isNewcomer(parts.fresh)) return {};
-    ClusteredHits beyond = clusteredAnew(std::move(parts.fresh), frame, options);
-    std::vector<Cluster> all(1);
-    for (Cluster& one : beyond.clusters)
-        if (isNewcomer(one))
-            all.push_back(std::move(one));
-        else
-            append(parts.old, one);
-    if (all.size() == 1) return {};
-    append(parts.old, beyond.loose);
-    all.front() = std::move(parts.old);
+    if (parts.old.size() < kStayingHits || !isNewcomer(parts.fresh)) return std::nullopt;
+    ClusteredHits all = clusteredAnew(std::move(parts.fresh), frame, options);
+    if (std::none_of(all.clusters.begin(), all.clusters.end(), isNewcomer)) return std::nullopt;
+    all.clusters.insert(all.clusters.begin(), std::move(parts.old));
     return all;
 }
 }  // namespace
@@ -111,7 +105,7 @@ SegmentedFrame withNewcomersCutOff(SegmentedFrame frame,
     all.reserve(frame.clusters.size());
     for (Cluster& cluster : frame.clusters)
     {
-        std::vector<Cluster> parts;
+        std::optional<ClusteredHits> parts;
         const ClusterBounds bounds = boundsOf(cluster);
         if (cluster.size() >= kHitsOfTwo && bounds.diagonal() >= kExtentOfTwo)
         {
@@ -120,8 +114,13 @@ SegmentedFrame withNewcomersCutOff(SegmentedFrame frame,
             if (j < targets.size() && mayBeTouched(targets[j], tracks[j]))
                 parts = withoutNewcomers(cluster, targets[j], frame, options);
         }
-        if (parts.empty()) parts.push_back(std::move(cluster));
-        std::move(parts.begin(), parts.end(), std::back_inserter(all));
+        if (!parts)
+        {
+            all.push_back(std::move(cluster));
+            continue;
+        }
+        std::move(parts->clusters.begin(), parts->clusters.end(), std::back_inserter(all));
+        append(frame.loose, parts->loose);
     }
     frame.clusters = std::move(all);
     return frame;
