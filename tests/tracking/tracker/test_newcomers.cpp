@@ -52,16 +52,23 @@ Track surelyABush()
     return track;
 }
 
+SegmentedFrame cutOff(const SegmentedFrame& frame,
+                      const std::vector<PredictedTarget>& targets = {bushBefore()},
+                      const std::vector<Track>& tracks = {surelyABush()})
+{
+    return withNewcomersCutOff(frame, targets, tracks, Clutter(targets), {});
+}
+
 std::size_t clustersOf(const SegmentedFrame& frame, const Track& track,
                        const PredictedTarget& target = bushBefore())
 {
-    return withNewcomersCutOff(frame, {target}, {track}, {}).clusters.size();
+    return cutOff(frame, {target}, {track}).clusters.size();
 }
 
 TEST(Newcomers, AreClustersOfTheirOwn)
 {
     const SegmentedFrame before = bushWith(15.0F);
-    const SegmentedFrame frame = withNewcomersCutOff(before, {bushBefore()}, {surelyABush()}, {});
+    const SegmentedFrame frame = cutOff(before);
     ASSERT_EQ(frame.clusters.size(), 2U);
     const Cluster& bush = frame.clusters[0];
     const Cluster& car = frame.clusters[1];
@@ -85,7 +92,7 @@ TEST(Newcomers, AreOneThingEach)
     SegmentedFrame frame;
     frame.clusters.resize(1);
     addRows(frame.clusters[0], 7.8F, 12.2F, 4.0F);
-    const SegmentedFrame after = withNewcomersCutOff(frame, {bushBefore()}, {surelyABush()}, {});
+    const SegmentedFrame after = cutOff(frame);
     ASSERT_EQ(after.clusters.size(), 1U);
     EXPECT_EQ(after.clusters[0].x, frame.clusters[0].x);
 }
@@ -94,7 +101,7 @@ TEST(Newcomers, LeaveOtherHitsLoose)
 {
     SegmentedFrame frame = bushWith(15.0F);
     addRows(frame.clusters[0], 8.2F, 8.35F, 4.0F);
-    const SegmentedFrame after = withNewcomersCutOff(frame, {bushBefore()}, {surelyABush()}, {});
+    const SegmentedFrame after = cutOff(frame);
     ASSERT_EQ(after.clusters.size(), 2U);
     EXPECT_EQ(after.loose.size(), 4U);
     EXPECT_EQ(after.clusters[0].size() + after.clusters[1].size() + 4U, frame.clusters[0].size());
@@ -134,8 +141,8 @@ TEST(Newcomers, AreNotToldWhereSeveralThingsStand)
 {
     PredictedTarget other = bushBefore();
     other.box.x = 14.0;
-    const auto frame = withNewcomersCutOff(bushWith(15.0F), {bushBefore(), other},
-                                           {surelyABush(), surelyABush()}, {});
+    const auto frame =
+        cutOff(bushWith(15.0F), {bushBefore(), other}, {surelyABush(), surelyABush()});
     EXPECT_EQ(frame.clusters.size(), 1U);
 }
 

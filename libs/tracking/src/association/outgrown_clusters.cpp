@@ -109,10 +109,7 @@ std::optional<CutCluster> KnownVehicles::cut(const Cluster& cluster,
         appendHit(k < outgrown.size() ? parts.vehicles[k] : parts.rest, cluster, i);
     }
     for (const Cluster& piece : parts.vehicles)
-    {
-        if (piece.size() >= kLeastHits) continue;
-        for (std::size_t i = 0; i < piece.size(); ++i) appendHit(parts.rest, piece, i);
-    }
+        if (piece.size() < kLeastHits) appendHits(parts.rest, piece);
     parts.vehicles.erase(
         std::remove_if(parts.vehicles.begin(), parts.vehicles.end(),
                        [](const Cluster& piece) { return piece.size() < kLeastHits; }),

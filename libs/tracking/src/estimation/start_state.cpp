@@ -77,6 +77,18 @@ double staying(const Measurement& m, int axis)
     if (m.facesSeen.seesAcross(axis)) return m.facesSeen.has(high) - m.facesSeen.has(low);
     return m.hiddenEnds.has(low) - m.hiddenEnds.has(high);
 }
+
+// After a measurement of the curvature, 1/m.
+VehicleState withCurvature(const VehicleState& state, double curvature, double variance)
+{
+    const StateVector gain =
+        state.covariance.col(kCurvature) / (state.covariance(kCurvature, kCurvature) + variance);
+    VehicleState next = state;
+    next.mean += (curvature - state.mean(kCurvature)) * gain;
+    next.mean(kHeading) = wrapAngle(next.mean(kHeading));
+    next.covariance -= gain * state.covariance.row(kCurvature);
+    return next;
+}
 }  // namespace
 
 SizesTold SizesTold::with(const Measurement& m) const
@@ -164,13 +176,7 @@ VehicleState withUsualCurvature(const VehicleState& state)
     if (state.steering == Steering::Independent || sigma >= kCurvatureSigma) return state;
     // As if it had been measured: what the start did not say, as it did not know the speed.
     const double variance = 1.0 / (std::pow(sigma, -2) - std::pow(kCurvatureSigma, -2));
-    const StateVector gain =
-        state.covariance.col(kCurvature) / (state.covariance(kCurvature, kCurvature) + variance);
-    VehicleState next = state;
-    next.mean -= state.mean(kCurvature) * gain;
-    next.mean(kHeading) = wrapAngle(next.mean(kHeading));
-    next.covariance -= gain * state.covariance.row(kCurvature);
-    return next;
+    return withCurvature(state, 0.0, variance);
 }
 
 VehicleState withTurnShown(const VehicleState& state, const TurnShown& turn)
@@ -183,14 +189,9 @@ VehicleState withTurnShown(const VehicleState& state, const TurnShown& turn)
     const double bySpeed = turn.angle * turn.angle * state.covariance(kSpeed, kSpeed);
     const double variance = (turn.variance + bySpeed / (speed * speed)) / (way * way);
     const double both = state.covariance(kCurvature, kCurvature) + variance;
-    const double news = turn.angle / way - state.mean(kCurvature);
-    if (news * news > kSigmas * kSigmas * both) return state;
-    const StateVector gain = state.covariance.col(kCurvature) / both;
-    VehicleState next = state;
-    next.mean += news * gain;
-    next.mean(kHeading) = wrapAngle(next.mean(kHeading));
-    next.covariance -= gain * state.covariance.row(kCurvature);
-    return next;
+    const double shown = turn.angle / way;
+    if (std::abs(shown - state.mean(kCurvature)) > kSigmas * std::sqrt(both)) return state;
+    return withCurvature(state, shown, variance);
 }
 
 VehicleState startState(const Measurement& measurement, double height,

@@ -8,7 +8,6 @@
 #include <optional>
 #include <utility>
 
-#include "association/plane_index.h"
 #include "tracker/segmentation.h"
 #include "types/append_hit.h"
 #include "types/cluster_bounds.h"
@@ -27,11 +26,6 @@ double diagonalOf(const OrientedBox& box)
     return std::hypot(box.length, box.width);
 }
 
-void append(Cluster& to, const Cluster& more)
-{
-    for (std::size_t i = 0; i < more.size(); ++i) appendHit(to, more, i);
-}
-
 // What is larger comes into view part by part.
 bool mayBeTouched(const PredictedTarget& target, const Track& track)
 {
@@ -40,18 +34,6 @@ bool mayBeTouched(const PredictedTarget& target, const Track& track)
     constexpr int kSightings = 3;
     return track.stood() && track.misses == 0 && track.sightings >= kSightings &&
            track.judgement.probability < kSurelyNone && diagonalOf(target.box) < kLargest;
-}
-
-PlaneIndex placesOf(const std::vector<PredictedTarget>& targets, std::vector<std::size_t>& clutter)
-{
-    std::vector<PlaneBounds> places;
-    for (std::size_t j = 0; j < targets.size(); ++j)
-    {
-        if (!targets[j].isClutter) continue;
-        clutter.push_back(j);
-        places.push_back(PlaneBounds::around(targets[j].box.centre(), 0.0));
-    }
-    return PlaneIndex(std::move(places));
 }
 
 // What stands, and what is beyond it.
@@ -97,10 +79,9 @@ std::optional<ClusteredHits> withoutNewcomers(const Cluster& cluster, const Pred
 
 SegmentedFrame withNewcomersCutOff(SegmentedFrame frame,
                                    const std::vector<PredictedTarget>& targets,
-                                   const std::vector<Track>& tracks, const ClusterOptions& options)
+                                   const std::vector<Track>& tracks, const Clutter& clutter,
+                                   const ClusterOptions& options)
 {
-    std::vector<std::size_t> clutter;
-    const PlaneIndex places = placesOf(targets, clutter);
     std::vector<Cluster> all;
     all.reserve(frame.clusters.size());
     for (Cluster& cluster : frame.clusters)
@@ -109,10 +90,9 @@ SegmentedFrame withNewcomersCutOff(SegmentedFrame frame,
         const ClusterBounds bounds = boundsOf(cluster);
         if (cluster.size() >= kHitsOfTwo && bounds.diagonal() >= kExtentOfTwo)
         {
-            const auto held = places.overlapping(PlaneBounds::around(bounds));
-            const std::size_t j = held.size() == 1 ? clutter[held.front()] : targets.size();
-            if (j < targets.size() && mayBeTouched(targets[j], tracks[j]))
-                parts = withoutNewcomers(cluster, targets[j], frame, options);
+            const auto held = clutter.within(bounds);
+            if (held.size() == 1 && mayBeTouched(targets[held.front()], tracks[held.front()]))
+                parts = withoutNewcomers(cluster, targets[held.front()], frame, options);
         }
         if (!parts)
         {
@@ -120,7 +100,7 @@ SegmentedFrame withNewcomersCutOff(SegmentedFrame frame,
             continue;
         }
         std::move(parts->clusters.begin(), parts->clusters.end(), std::back_inserter(all));
-        append(frame.loose, parts->loose);
+        appendHits(frame.loose, parts->loose);
     }
     frame.clusters = std::move(all);
     return frame;

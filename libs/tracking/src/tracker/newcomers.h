@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "tracker/clutter.h"
 #include "tracker/sighting.h"
 #include "tracker/track.h"
 #include "vdamf/tracking/association/auction.h"
@@ -13,9 +14,10 @@ namespace vdamf
 {
 /// The frame with clusters cut that hold something small which stood until now and surely is no
 /// vehicle, and others' hits beyond where it was: those become clusters of their own. `targets`: of
-/// the tracks, predicted.
+/// the tracks, predicted. `clutter`: of these.
 SegmentedFrame withNewcomersCutOff(SegmentedFrame frame,
                                    const std::vector<PredictedTarget>& targets,
-                                   const std::vector<Track>& tracks, const ClusterOptions& options);
+                                   const std::vector<Track>& tracks, const Clutter& clutter,
+                                   const ClusterOptions& options);
 
 }  // namespace vdamf

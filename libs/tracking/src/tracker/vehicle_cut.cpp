@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "association/outgrown_clusters.h"
-#include "association/plane_index.h"
 #include "preprocessing/convex_pieces.h"
 #include "tracker/attention.h"
+#include "tracker/clutter.h"
 #include "tracker/newcomers.h"
 #include "tracker/segmentation.h"
 #include "tracker/vehicles_among.h"
@@ -38,27 +38,6 @@ Parts cutBy(const KnownVehicles& vehicles, Cluster cluster, const SegmentedFrame
     return parts;
 }
 
-// Where tracks are that are surely no vehicles.
-struct Clutter
-{
-    PlaneIndex places;
-    std::vector<bool> isPassedOver;
-};
-
-Clutter clutterOf(const std::vector<PredictedTarget>& targets, const std::vector<Track>& tracks,
-                  const Discriminator& discriminator)
-{
-    std::vector<PlaneBounds> places;
-    std::vector<bool> passedOver;
-    for (std::size_t j = 0; j < targets.size(); ++j)
-    {
-        if (!targets[j].isClutter) continue;
-        places.push_back(PlaneBounds::around(targets[j].box.centre(), 0.0));
-        passedOver.push_back(isPassedOver(tracks[j], discriminator));
-    }
-    return {PlaneIndex(std::move(places)), std::move(passedOver)};
-}
-
 void append(std::vector<Cluster>& to, std::vector<Cluster> more)
 {
     std::move(more.begin(), more.end(), std::back_inserter(to));
@@ -71,18 +50,19 @@ SegmentedFrame withVehiclesCutOut(SegmentedFrame frame, const std::vector<Predic
 {
     // What is smaller holds no more than a part of a car's end and a twig.
     constexpr double kLeastExtent = 2.0;  // m
-    frame = withNewcomersCutOff(std::move(frame), targets, tracks, options.clustering);
+    const Clutter clutter(targets);
+    frame = withNewcomersCutOff(std::move(frame), targets, tracks, clutter, options.clustering);
     const KnownVehicles known(targets, options.association);
-    const Clutter clutter = clutterOf(targets, tracks, discriminator);
     Parts all;
     for (Cluster& cluster : frame.clusters)
     {
         const ClusterBounds bounds = boundsOf(cluster);
         const bool maySplit = bounds.diagonal() >= kLeastExtent;
         std::vector<std::size_t> held;
-        if (maySplit) held = clutter.places.overlapping(PlaneBounds::around(bounds));
+        if (maySplit) held = clutter.within(bounds);
         const bool holdsClutter = !held.empty();
-        const bool isSearched = maySplit && !(holdsClutter && clutter.isPassedOver[held.front()]);
+        const bool isSearched =
+            maySplit && !(holdsClutter && isPassedOver(tracks[held.front()], discriminator));
         std::vector<Cluster> pieces;
         if (isSearched) pieces = convexPieces(cluster, frame.sensor);
         const bool isDented = !pieces.empty();

@@ -15,4 +15,9 @@ inline void appendHit(Cluster& to, const Cluster& from, std::size_t i)
     if (!from.time.empty()) to.time.push_back(from.time[i]);
 }
 
+inline void appendHits(Cluster& to, const Cluster& from)
+{
+    for (std::size_t i = 0; i < from.size(); ++i) appendHit(to, from, i);
+}
+
 }  // namespace vdamf
