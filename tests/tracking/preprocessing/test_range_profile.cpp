@@ -48,7 +48,7 @@ TEST(RangeProfile, HasTheNearestHitOfEachBearing)
     for (int k = 0; k < 5000; ++k)
     {
         const int sector = below(720);
-        const double range = 3.0 + 0.1 * below(700);
+        const double range = 60.0 + 0.1 * below(700);  // no gap is narrow
         // Well inside of a sector: its edges are good to a thousandth.
         const double part = 0.01 + 0.98 * below(1000) / 1000.0;
         scan.add(range, -kPi + 2.0 * kPi * (sector + part) / 720.0, 1.0F);
@@ -64,6 +64,32 @@ TEST(RangeProfile, HasTheNearestHitOfEachBearing)
         else
             EXPECT_NEAR(profile.nearest[k], nearest[k], 2e-5F * nearest[k]) << k;
     }
+}
+
+// A sector is 0.35 m wide at 40 m, and 0.7 m at 80 m.
+TEST(RangeProfile, TakesNarrowGapsForWhatReturnsNothing)
+{
+    constexpr double kSector = kPi / 360.0;
+    const auto gapAt = [&](double bearing, int sectors, double before, double after)
+    {
+        Scan scan = scanFrom(0.3, -0.4);
+        scan.add(before, bearing - kSector, 1.0F);
+        scan.add(after, bearing + sectors * kSector, 1.0F);
+        return rangeProfile(scan.frame, scan.above).at(bearing);
+    };
+    const double middle = 0.5 * kSector;
+    for (const double bearing : {0.2 + middle, -2.0 + middle})
+    {
+        EXPECT_NEAR(gapAt(bearing, 1, 40.0, 55.0), 55.0, 1e-3) << "the farther one";
+        EXPECT_NEAR(gapAt(bearing, 1, 55.0, 40.0), 55.0, 1e-3);
+        EXPECT_NEAR(gapAt(bearing, 5, 10.0, 12.0), 12.0, 1e-3);
+        EXPECT_TRUE(std::isinf(gapAt(bearing, 1, 80.0, 80.0)));
+        EXPECT_TRUE(std::isinf(gapAt(bearing, 6, 10.0, 12.0)));
+        EXPECT_NEAR(gapAt(bearing, 1, 40.0, 90.0), 90.0, 1e-3)
+            << "it is as wide where it is nearer";
+    }
+    EXPECT_NEAR(gapAt(-kPi + middle, 1, 20.0, 20.0), 20.0, 1e-3) << "from the last sector on";
+    EXPECT_NEAR(gapAt(kPi - middle, 1, 20.0, 20.0), 20.0, 1e-3);
 }
 
 TEST(RangeProfile, LooksOverLowHitsAndPastTheAxes)

@@ -8,6 +8,7 @@
 
 #include "preprocessing/bearing.h"
 #include "types/wide_lanes.h"
+#include "vdamf/tracking/types/geometry.h"
 
 namespace vdamf
 {
@@ -15,6 +16,7 @@ namespace
 {
 constexpr int kProfileSectors = 720;
 constexpr float kHidingHeight = 0.6F;  // m, where heights are known
+constexpr double kNarrow = 0.5;        // m, between hits: nothing returned there
 
 constexpr int kProfileLayers = static_cast<int>(RangeProfile::kLayers);
 
@@ -56,6 +58,26 @@ struct LocatedBlock
         });
     }
 };
+// Glass and paint at a grazing angle return nothing: narrow gaps between hits are no free view, and
+// are as far as the farther one of those.
+std::vector<float> withoutNarrowGaps(const std::vector<float>& nearest)
+{
+    constexpr double kSector = 2.0 * kPi / kProfileSectors;  // rad
+    std::vector<float> closed = nearest;
+    const std::size_t size = nearest.size();
+    const auto isGap = [&](std::size_t k) { return std::isinf(nearest[k % size]); };
+    for (std::size_t before = 0; before < size; ++before)
+    {
+        if (isGap(before) || !isGap(before + 1)) continue;
+        std::size_t after = before + 1;
+        while (isGap(after)) ++after;
+        const auto [nearer, farther] = std::minmax(nearest[before], nearest[after % size]);
+        const double width = static_cast<double>(after - before - 1) * kSector * nearer;
+        if (width > kNarrow) continue;
+        for (std::size_t k = before + 1; k < after; ++k) closed[k % size] = farther;
+    }
+    return closed;
+}
 }  // namespace
 
 RangeProfile rangeProfile(const LadarFrame& frame, const AboveGround& aboveGround)
@@ -81,7 +103,7 @@ RangeProfile rangeProfile(const LadarFrame& frame, const AboveGround& aboveGroun
     for (float& nearest : above) nearest = std::sqrt(nearest);
     for (std::size_t k = above.size() - kProfileSectors; k-- > 0;)
         above[k] = std::min(above[k], above[k + kProfileSectors]);
-    profile.nearest.assign(above.begin(), above.begin() + kProfileSectors);
+    profile.nearest = withoutNarrowGaps({above.begin(), above.begin() + kProfileSectors});
     if (frame.planar) above.clear();
     return profile;
 }
