@@ -95,11 +95,8 @@ std::optional<EstimatedMotion> Alignment::motionOf(
     if (!begun_)
     {
         // Until now tracks have taken the errors in: their world is where they were seen first.
-        constexpr double kShift = 0.5;  // m
-        constexpr double kTurn = 2.0 * kDegree;
         const std::vector<StandingPoint> first = pointsSince(*firstTime_, tracks);
-        const EstimatedMotion since =
-            commonMotion(first, {kShift * kShift, kShift * kShift, kTurn * kTurn});
+        const EstimatedMotion since = commonMotion(first, errors_.variances());
         motion_ = since.motion;
         if (!first.empty()) covariance_ = since.covariance;
         begun_ = true;
