@@ -90,16 +90,16 @@ TEST(GoingOnOutOfSight, TheEndSeenStaysAndTheOtherOneGoesOn)
     Measurement m = measured({16.0, 5.0, 0.0, 8.0, 2.5}, faces({Face::Right}));
     m.hiddenEnds.add(Face::Back);
     const VehicleState before = known(m.box, 0.5);
-    const VehicleState after = goingOnOutOfSight(before, m, 8.0, 2.8, kVisibility);
     const AssumedSize whole = lengthOfMoreThan(8.0, 2.8).value();
+    const VehicleState after = goingOnOutOfSight(before, m, whole);
     EXPECT_NEAR(after.mean(kLength), whole.metres, 1e-9);
     EXPECT_NEAR(after.mean(kX) + 0.5 * after.mean(kLength), 20.0, 1e-9);
     EXPECT_NEAR(after.covariance(kLength, kLength), whole.sigma * whole.sigma, 1e-9);
     // What is not hidden at either end, or at both, tells its length or nothing at all.
     m.hiddenEnds.add(Face::Front);
-    EXPECT_EQ(goingOnOutOfSight(before, m, 8.0, 2.8, kVisibility).mean, before.mean);
+    EXPECT_EQ(goingOnOutOfSight(before, m, whole).mean, before.mean);
     m.hiddenEnds = {};
-    EXPECT_EQ(goingOnOutOfSight(before, m, 8.0, 2.8, kVisibility).mean, before.mean);
+    EXPECT_EQ(goingOnOutOfSight(before, m, whole).mean, before.mean);
 }
 
 VehicleState carAhead(double lengthSigma)

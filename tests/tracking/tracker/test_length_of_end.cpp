@@ -71,6 +71,74 @@ TEST(LengthOfEnd, NotOfWhatIsHardlyAVehicleNorOfAKnownWidth)
     EXPECT_LT(followed(van).mean(kLength), 5.5);
 }
 
+// A truck ahead that drives at 8 m/s, of a length that its rear let guess and that an update by
+// hits which reach to 9.6 m has changed since it was `foretold`.
+struct TruckAhead
+{
+    Track track;
+    VehicleState foretold;
+    Sighting sighting;
+    Measurement m;
+
+    TruckAhead()
+    {
+        foretold.mean << 20.0, 0.0, 0.0, 8.0, 0.0, 1.8, 9.0;
+        foretold.width = 2.5;
+        foretold.covariance.diagonal().setConstant(0.01);
+        foretold.covariance(kLength, kLength) = 4.0;
+        track.hypotheses->standingProbability = 0.0;
+        track.hypotheses->forEach(
+            [&](VehicleState& state)
+            {
+                state = foretold;
+                state.mean(kLength) = 9.55;
+                state.mean(kX) += 0.275;
+                state.covariance(kLength, kLength) = 0.25;
+            });
+        track.height = 3.0;
+        m.box = {20.3, 0.0, 0.0, 9.6, 2.5};
+        for (const Face face : {Face::Back, Face::Left}) m.facesSeen.add(face);
+        m.hiddenEnds.add(Face::Front);
+        sighting.side.metres = 2.5;
+        sighting.around.length = 9.2;
+    }
+
+    VehicleState after() const
+    {
+        return goingOnOutOfSight(track, sighting, m, foretold, VisibilityOptions())
+            .hypotheses->driving.front();
+    }
+};
+
+TEST(LengthOfEnd, HitsBeyondAGuessedLengthTellThatItIsLongerAndNoMore)
+{
+    const VehicleState after = TruckAhead().after();
+    const AssumedSize whole = longerThan(9.6, {9.0, 2.0});
+    EXPECT_NEAR(after.mean(kLength), whole.metres, 1e-9);
+    EXPECT_GT(after.mean(kLength), 10.5);
+    EXPECT_NEAR(after.covariance(kLength, kLength), whole.sigma * whole.sigma, 1e-9);
+    EXPECT_NEAR(after.mean(kX) - 0.5 * after.mean(kLength), 15.5, 1e-9) << "its rear stays";
+}
+
+TEST(LengthOfEnd, NotWhereTheLengthIsToldNorHitsReachLittleFarther)
+{
+    TruckAhead told;
+    told.track.told.length = true;
+    EXPECT_EQ(told.after().mean(kLength), 9.55);
+    TruckAhead better;
+    better.foretold.covariance(kLength, kLength) = 1.0;
+    EXPECT_EQ(better.after().mean(kLength), 9.55) << "no guess";
+    TruckAhead little;
+    little.m.box.length = 9.25;
+    EXPECT_EQ(little.after().mean(kLength), 9.55);
+    TruckAhead stands;
+    stands.track.hypotheses->standingProbability = 0.5;
+    EXPECT_EQ(stands.after().mean(kLength), 9.55) << "something else may be there";
+    TruckAhead sees;
+    sees.m.hiddenEnds = {};
+    EXPECT_EQ(sees.after().mean(kLength), 9.55) << "both ends are told";
+}
+
 TEST(LengthOfEnd, FacesAreAsHighAsTwoSightingsTell)
 {
     const TrackerOptions options;

@@ -76,19 +76,23 @@ std::optional<AssumedSize> lengthBehind(double width, double height, const Visib
     return kTruckLength;
 }
 
-std::optional<AssumedSize> lengthOfMoreThan(double seen, double height)
+AssumedSize longerThan(double seen, const AssumedSize& length)
 {
-    constexpr double kLongestVan = 6.5;       // m
-    constexpr AssumedSize kTrucks{9.5, 2.0};  // trucks and buses alike
-    if (seen < kLongestVan || height < kLeastTruckHeight) return std::nullopt;
-    // Mean and variance of a normal distribution without what lies below `seen`.
-    const double least = (seen - kTrucks.metres) / kTrucks.sigma;
+    const double least = (seen - length.metres) / length.sigma;
     const double share = 0.5 * std::erfc(least / std::sqrt(2.0));
     const double density = std::exp(-0.5 * least * least) / std::sqrt(2.0 * kPi);
     // Beyond five sigmas by its series.
     const double mean = share > 1e-6 ? density / share : least + 1.0 / least;
     const double variance = std::max(0.01, 1.0 + mean * (least - mean));
-    return AssumedSize{kTrucks.metres + mean * kTrucks.sigma, std::sqrt(variance) * kTrucks.sigma};
+    return {length.metres + mean * length.sigma, std::sqrt(variance) * length.sigma};
+}
+
+std::optional<AssumedSize> lengthOfMoreThan(double seen, double height)
+{
+    constexpr double kLongestVan = 6.5;       // m
+    constexpr AssumedSize kTrucks{9.5, 2.0};  // trucks and buses alike
+    if (seen < kLongestVan || height < kLeastTruckHeight) return std::nullopt;
+    return longerThan(seen, kTrucks);
 }
 
 std::optional<AssumedSize> widthBehind(double length, double height, const VisibilityOptions& o)

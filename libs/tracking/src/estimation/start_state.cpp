@@ -139,18 +139,16 @@ VehicleState grownAsJudged(const VehicleState& predicted, const Measurement& m, 
     return next;
 }
 
-VehicleState goingOnOutOfSight(const VehicleState& state, const Measurement& m, double seen,
-                               double height, const VisibilityOptions& o)
+VehicleState goingOnOutOfSight(const VehicleState& state, const Measurement& m,
+                               const AssumedSize& whole)
 {
     const auto [back, front] = kFaceAt[0];
     const bool isPart = m.facesSeen.seesSide() && m.hiddenEnds.has(back) != m.hiddenEnds.has(front);
-    if (!o.assumeVehicleSize || !isPart) return state;
-    const std::optional<AssumedSize> whole = lengthOfMoreThan(seen, height);
-    if (!whole || whole->metres < state.mean(kLength)) return state;
+    if (!isPart || whole.metres < state.mean(kLength)) return state;
     const StateVector change = bySize(state, 0, m.hiddenEnds.has(front) ? -1.0 : 1.0);
-    const double vaguer = std::pow(whole->sigma, 2) - state.covariance(kLength, kLength);
+    const double vaguer = std::pow(whole.sigma, 2) - state.covariance(kLength, kLength);
     VehicleState next = state;
-    next.mean += (whole->metres - state.mean(kLength)) * change;
+    next.mean += (whole.metres - state.mean(kLength)) * change;
     next.covariance += std::max(0.0, vaguer) * change * change.transpose();
     return next;
 }

@@ -42,6 +42,29 @@ std::optional<AssumedSize> lengthBehindEnd(const Track& track, const VisibilityO
     if (!width) return std::nullopt;
     return track.busRears >= kAgree ? kBusLength : lengthBehind(seems, track.highest, options);
 }
+
+// Of what reaches beyond the length foretold, and goes on there out of sight.
+std::optional<AssumedSize> lengthGoingOn(const Track& track, const Sighting& sighting,
+                                         const Measurement& m, const VehicleState& foretold,
+                                         double sizeSigma)
+{
+    constexpr double kPart = 0.5;     // of it that is a row of hits: else something else lies ahead
+    constexpr double kGuessed = 1.5;  // m: a truck's length, by its end
+    constexpr double kMostSigmas = 3.0;  // beyond it
+    const AssumedSize before{foretold.mean(kLength),
+                             std::sqrt(foretold.covariance(kLength, kLength))};
+    if (before.sigma < kTold) return std::nullopt;
+    const double least = before.metres + 2.0 * sizeSigma;
+    const bool isGuessed = !track.told.length && before.sigma > kGuessed;
+    const bool isTakenIn =
+        track.hypotheses->driving.front().mean(kLength) > before.metres + sizeSigma;
+    if (isGuessed && isTakenIn && m.box.length > least &&
+        m.box.length < before.metres + kMostSigmas * before.sigma)
+        return longerThan(m.box.length, before);
+    const double seen = sighting.around.length;
+    if (seen < least || sighting.side.metres < kPart * seen) return std::nullopt;
+    return lengthOfMoreThan(seen, std::max(track.height, sighting.height));
+}
 }  // namespace
 
 Track grownToAVehicle(Track track, const Measurement& m, double height,
@@ -59,16 +82,12 @@ Track grownToAVehicle(Track track, const Measurement& m, double height,
 Track goingOnOutOfSight(Track track, const Sighting& sighting, const Measurement& m,
                         const VehicleState& foretold, const VisibilityOptions& options)
 {
-    constexpr double kPart = 0.5;  // of it that is a row of hits: else something else lies ahead
-    const double seen = sighting.around.length;
-    const bool isNews = seen > foretold.mean(kLength) + 2.0 * options.sizeSigma &&
-                        sighting.side.metres > kPart * seen;
-    const bool wasTold = foretold.covariance(kLength, kLength) < kTold * kTold;
-    if (!isNews || wasTold || !isSurelyDriving(*track.hypotheses)) return track;
-    const double height = std::max(track.height, sighting.height);
+    if (!options.assumeVehicleSize || !isSurelyDriving(*track.hypotheses)) return track;
+    const auto whole = lengthGoingOn(track, sighting, m, foretold, options.sizeSigma);
+    if (!whole) return track;
     const double before = track.hypotheses->driving.front().mean(kLength);
     track.hypotheses->forEach([&](VehicleState& state)
-                              { state = goingOnOutOfSight(state, m, seen, height, options); });
+                              { state = goingOnOutOfSight(state, m, *whole); });
     // That length is assumed no more.
     if (track.hypotheses->driving.front().mean(kLength) > before) track.assumedLength.reset();
     return track;

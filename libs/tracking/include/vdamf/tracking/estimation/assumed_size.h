@@ -41,6 +41,10 @@ std::optional<AssumedSize> lengthBehind(double width, double height,
 /// Of a bus: most are 12 m long, articulated ones 18, small ones 9.
 inline constexpr AssumedSize kBusLength{12.0, 2.0};
 
+/// Of a vehicle whose length was held to be that, and of which more is seen (m) than ends in sight:
+/// mean and standard deviation of the normal distribution without what is shorter.
+AssumedSize longerThan(double seen, const AssumedSize& length);
+
 /// Of a truck or bus of that height of which that length is seen, and that goes on out of sight
 /// (m); nothing where it may be a van.
 std::optional<AssumedSize> lengthOfMoreThan(double seen, double height);

@@ -59,11 +59,10 @@ VehicleState grownToAVehicle(const VehicleState& predicted, const Measurement& m
 VehicleState grownAsJudged(const VehicleState& predicted, const Measurement& measurement,
                            double height, const SizesTold& told, const VisibilityOptions& options);
 
-/// The state of a truck or bus that turned out longer than was known, where one end of its side is
-/// hidden: as long as such vehicles are that are longer than what is `seen` of it. The other end
-/// stays. `height`: of what is seen, m.
+/// The state of a vehicle that turned out longer than was known, where one end of its side is
+/// hidden: as long as the `whole` is that goes on there. The other end stays.
 VehicleState goingOnOutOfSight(const VehicleState& state, const Measurement& measurement,
-                               double seen, double height, const VisibilityOptions& options);
+                               const AssumedSize& whole);
 
 /// The state with another length assumed than before, as more became known of the end seen (1 the
 /// front, -1 the rear), which stays: as far as the length is not yet known better than that.
