@@ -75,7 +75,10 @@ TEST(RangeProfile, TakesNarrowGapsForWhatReturnsNothing)
         Scan scan = scanFrom(0.3, -0.4);
         scan.add(before, bearing - kSector, 1.0F);
         scan.add(after, bearing + sectors * kSector, 1.0F);
-        return rangeProfile(scan.frame, scan.above).at(bearing);
+        const RangeProfile profile = rangeProfile(scan.frame, scan.above);
+        const double first = profile.at(bearing);
+        for (int k = 1; k < sectors; ++k) EXPECT_EQ(profile.at(bearing + k * kSector), first) << k;
+        return first;
     };
     const double middle = 0.5 * kSector;
     for (const double bearing : {0.2 + middle, -2.0 + middle})
@@ -90,6 +93,8 @@ TEST(RangeProfile, TakesNarrowGapsForWhatReturnsNothing)
     }
     EXPECT_NEAR(gapAt(-kPi + middle, 1, 20.0, 20.0), 20.0, 1e-3) << "from the last sector on";
     EXPECT_NEAR(gapAt(kPi - middle, 1, 20.0, 20.0), 20.0, 1e-3);
+    EXPECT_NEAR(gapAt(kPi - middle, 3, 12.0, 13.0), 13.0, 1e-3);
+    EXPECT_TRUE(std::isinf(gapAt(0.2 + middle, 5, 10.0, 30.0))) << "1.3 m at the farther one";
 }
 
 TEST(RangeProfile, LooksOverLowHitsAndPastTheAxes)

@@ -188,7 +188,7 @@ VehicleState withTurnShown(const VehicleState& state, const TurnShown& turn)
     const double variance = (turn.variance + bySpeed / (speed * speed)) / (way * way);
     const double both = state.covariance(kCurvature, kCurvature) + variance;
     const double shown = turn.angle / way;
-    if (std::abs(shown - state.mean(kCurvature)) > kSigmas * std::sqrt(both)) return state;
+    if (std::pow(shown - state.mean(kCurvature), 2) > kSigmas * kSigmas * both) return state;
     return withCurvature(state, shown, variance);
 }
 

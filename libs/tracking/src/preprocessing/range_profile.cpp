@@ -16,7 +16,9 @@ namespace
 {
 constexpr int kProfileSectors = 720;
 constexpr float kHidingHeight = 0.6F;  // m, where heights are known
-constexpr double kNarrow = 0.5;        // m, between hits: nothing returned there
+// Of sectors without hits, m: at the nearer hit beside them, and at the farther one.
+constexpr double kNarrow = 0.5;
+constexpr double kNarrowBehind = 1.0;
 
 constexpr int kProfileLayers = static_cast<int>(RangeProfile::kLayers);
 
@@ -72,8 +74,8 @@ std::vector<float> withoutNarrowGaps(const std::vector<float>& nearest)
         std::size_t after = before + 1;
         while (isGap(after)) ++after;
         const auto [nearer, farther] = std::minmax(nearest[before], nearest[after % size]);
-        const double width = static_cast<double>(after - before - 1) * kSector * nearer;
-        if (width > kNarrow) continue;
+        const double angle = static_cast<double>(after - before - 1) * kSector;
+        if (angle * nearer > kNarrow || angle * farther > kNarrowBehind) continue;
         for (std::size_t k = before + 1; k < after; ++k) closed[k % size] = farther;
     }
     return closed;

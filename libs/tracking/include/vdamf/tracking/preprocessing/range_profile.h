@@ -8,8 +8,9 @@
 namespace vdamf
 {
 /// Profile in sectors of half a degree. Hits lower than 0.6 m hide no vehicle and do not count.
-/// Of all heights together, sectors without returns over less than 0.5 m between others are as near
-/// as the farther one beside them: glass and grazing angles return nothing.
+/// Of all heights together, sectors without any that are narrow (0.5 m at the nearer hit beside
+/// them, 1 m at the farther one) are as far as the farther one: glass and grazing angles return
+/// nothing.
 RangeProfile rangeProfile(const LadarFrame& frame, const AboveGround& aboveGround);
 
 }  // namespace vdamf

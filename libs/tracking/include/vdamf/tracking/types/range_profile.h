@@ -11,8 +11,8 @@ namespace vdamf
 /// counter-clockwise; infinite where there is none, zero where the sensor does not look.
 struct RangeProfile
 {
-    std::vector<float> nearest;  ///< m
-    /// The same of hits that are seen at or above each of some slopes (rise over run from the
+    std::vector<float> nearest;  ///< m, narrow gaps closed
+    /// Of hits, gaps and all, that are seen at or above each of some slopes (rise over run from the
     /// sensor), from the lowest one, one slope after the other; empty where heights are not known.
     std::vector<float> nearestAbove;  ///< m
 
