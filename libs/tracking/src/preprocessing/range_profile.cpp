@@ -60,6 +60,7 @@ struct LocatedBlock
         });
     }
 };
+
 // Glass and paint at a grazing angle return nothing: narrow gaps between hits are no free view, and
 // are as far as the farther one of those.
 std::vector<float> withoutNarrowGaps(const std::vector<float>& nearest)
