@@ -174,10 +174,16 @@ int track(const Cli& cli, const vdamf::TrackRawlogJob& job)
         ++frames;
         if (progress) showProgress(share, frames);
     };
+    std::uint64_t read = 0;  // in a first reading
+    const auto firstReading = [&](double share)
+    {
+        ++read;
+        if (progress) showProgress(share, read);
+    };
     vdamf::TrackRawlogSummary summary;
     try
     {
-        summary = vdamf::trackRawlog(job, interrupted, listener);
+        summary = vdamf::trackRawlog(job, interrupted, listener, firstReading);
     }
     catch (const std::exception& error)
     {

@@ -60,6 +60,7 @@ Collected track(const Recording& recording, std::uint64_t firstTrack,
     TrackRawlogJob job;
     job.input = recording.rawlog;
     job.configuration = configuration;
+    job.configuration.output.hindsight = false;  // as a tracker sees them
     Collected all;
     const TrackRawlogSummary summary =
         trackRawlog(job, stop,

@@ -120,6 +120,7 @@ std::vector<LabelledClusters> clustersOf(const FilterRecording& recording,
     TrackRawlogJob job;
     job.input = recording.rawlog;
     job.configuration = configuration;
+    job.configuration.output.hindsight = false;  // as a tracker sees them
     job.configuration.tracker.discriminator.model = "none";
     Collector collector(recording, configuration);
     const TrackRawlogSummary summary = trackRawlog(

@@ -11,11 +11,6 @@
 
 namespace vdamf
 {
-bool isPublished(const TrackReport& track)
-{
-    return track.status == TrackStatus::Confirmed || track.status == TrackStatus::Coasting;
-}
-
 mrpt::img::TColor colourOf(const TrackReport& track)
 {
     const double hue = std::fmod(static_cast<double>(track.id) * 0.618033988749895, 1.0) * 6.0;

@@ -9,9 +9,6 @@
 
 namespace vdamf
 {
-/// Confirmed, measured in its frame or not.
-bool isPublished(const TrackReport& track);
-
 /// A colour that a track keeps: hues a golden angle apart; paler where it is coasting.
 mrpt::img::TColor colourOf(const TrackReport& track);
 

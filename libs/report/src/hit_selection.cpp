@@ -63,11 +63,6 @@ void thin(std::vector<ShownCluster>& clusters, float cell, std::size_t limit)
     }
 }
 
-bool isPublished(const TrackReport& track)
-{
-    return track.status == TrackStatus::Confirmed || track.status == TrackStatus::Coasting;
-}
-
 /// How many hits of a cluster lie in a box with some margin. All relative to the frame's origin.
 std::size_t countIn(const OrientedBox& box, const Cluster& cluster)
 {

@@ -270,20 +270,10 @@ BoxMeasurement boxThrough(const Measurement& m, const FaceErrors& errors,
 Measurement turnedBy(const Measurement& measurement, int quarters)
 {
     Measurement m = measurement;
-    // Counter-clockwise, each face becomes the one before it: the left side is the new front.
-    constexpr Face kAround[4] = {Face::Front, Face::Left, Face::Back, Face::Right};
-    const int turns = ((quarters % 4) + 4) % 4;
-    m.box.heading = wrapAngle(m.box.heading + 0.5 * kPi * turns);
-    m.facesSeen = m.hiddenEnds = m.shadowEdges = m.upperEnds = FaceSet();
-    for (int k = 0; k < 4; ++k)
-    {
-        const Face before = kAround[(k + turns) % 4];
-        if (measurement.facesSeen.has(before)) m.facesSeen.add(kAround[k]);
-        if (measurement.hiddenEnds.has(before)) m.hiddenEnds.add(kAround[k]);
-        if (measurement.shadowEdges.has(before)) m.shadowEdges.add(kAround[k]);
-        if (measurement.upperEnds.has(before)) m.upperEnds.add(kAround[k]);
-    }
-    if (turns % 2 == 1)
+    m.box.heading = wrapAngle(m.box.heading + 0.5 * kPi * quarters);
+    for (FaceSet* faces : {&m.facesSeen, &m.hiddenEnds, &m.shadowEdges, &m.upperEnds})
+        *faces = turnedBy(*faces, quarters);
+    if (quarters % 2 != 0)
     {
         std::swap(m.box.length, m.box.width);
         m.covariance.row(3).swap(m.covariance.row(4));

@@ -108,6 +108,8 @@ TrackReport reportOf(const Track& track, const OrientedBox& extent,
     report.forwardProbability = track.front.forwardProbability();
     report.axesProbability = track.front.axesProbability();
     report.type = track.type;
+    report.isOfHits = extent != track.box();
+    if (!report.isOfHits) report.heldPoint = track.errors.fixedPoint;
     report.covariance = toldCovariance(track.state, track.errors, options);
     report.lengthVariance = toldLengthVariance(track.state, track.errors, options);
     report.widthVariance = track.state.widthVariance + std::pow(options.lastingSize, 2);

@@ -40,6 +40,7 @@ struct OutputOptions
     bool table = true;
     bool poses = true;
     bool scene = true;
+    bool hindsight = false;
     double trail = 3.0;  ///< s
     int gzLevel = 1;
     int gzThreads = 2;
@@ -53,6 +54,10 @@ struct OutputOptions
               "a CObservationRobotPose 'vdamf_track_<id>' for each confirmed track");
         field(self.scene, "annotate_scene",
               "a CObservation3DScene with boxes, identities and trails, for RawLogViewer");
+        field(
+            self.hindsight, "hindsight",
+            "each frame tells what the whole run tells of it: one size and front of each vehicle, "
+            "tracks from when they were first seen; the rawlog is read twice");
         field(self.trail, "trail_s", 0.0, 60.0, "length of the trails in the scene");
         field(self.gzLevel, "gz_level", 0, 9, "compression of the annotated rawlog; 0: none");
         field(self.gzThreads, "gz_threads", 0, 64,

@@ -90,6 +90,9 @@ public:
 using FrameListener =
     std::function<void(const LadarFrame& frame, const FrameResult& result, double progress)>;
 
+/// Called after each frame of a first reading, with the share of all work that is done.
+using FirstReadingListener = std::function<void(double progress)>;
+
 /// Throws std::runtime_error where an output is the input, or one file is named for two outputs.
 /// trackRawlog() checks it too, before it opens any output.
 void checkPaths(const TrackRawlogJob& job);
@@ -100,7 +103,12 @@ void checkPaths(const TrackRawlogJob& job);
 /// their names when whole; after an error (thrown as std::runtime_error, its message names the file
 /// and the cause) or an interruption the frames done so far are in `<output>.partial`. `stop`, set
 /// from a signal handler, ends the run after the current frame.
+/// With [output] hindsight the input is read twice: first to track, of which nothing is written and
+/// the listener hears nothing, then to annotate. In between the reports of all frames are in
+/// memory, half a kilobyte each. It must be a file then; the frames of a first reading that was
+/// ended count for nothing.
 TrackRawlogSummary trackRawlog(const TrackRawlogJob& job, const std::atomic<bool>& stop,
-                               const FrameListener& listener = {});
+                               const FrameListener& listener = {},
+                               const FirstReadingListener& firstReading = {});
 
 }  // namespace vdamf

@@ -54,6 +54,17 @@ inline FaceSet operator|(FaceSet one, FaceSet other)
     return {static_cast<std::uint8_t>(one.bits | other.bits)};
 }
 
+/// The faces of a box that is turned by quarters, counter-clockwise: the left side is the new
+/// front.
+inline FaceSet turnedBy(FaceSet faces, int quarters)
+{
+    constexpr Face kAround[4] = {Face::Front, Face::Left, Face::Back, Face::Right};
+    FaceSet turned;
+    for (int k = 0; k < 4; ++k)
+        if (faces.has(kAround[(k + (quarters % 4) + 4) % 4])) turned.add(kAround[k]);
+    return turned;
+}
+
 /// Letters of the faces in the order F, B, L, R: "FL" is front and left. Empty set: "".
 inline std::string toString(FaceSet faces)
 {

@@ -38,6 +38,12 @@ struct OrientedBox
     double width = 0.0;    ///< across it, m
 
     Eigen::Vector2d centre() const { return {x, y}; }
+    bool operator==(const OrientedBox& other) const
+    {
+        return x == other.x && y == other.y && heading == other.heading && length == other.length &&
+               width == other.width;
+    }
+    bool operator!=(const OrientedBox& other) const { return !(*this == other); }
 };
 
 /// A point of the plane in box coordinates: x to the front, y to the left, from the centre.

@@ -51,6 +51,11 @@ struct TrackReport
     /// Normalised innovation squared of this frame's update, 3 degrees of freedom.
     std::optional<double> nis;
     FaceSet facesSeen;
+    /// Of the box, along and across, -1 (rear, right) to 1: the point that was measured, which
+    /// stays where it is whatever the size.
+    Eigen::Vector2d heldPoint = Eigen::Vector2d::Zero();
+    /// The box is that around its hits, not the tracked one: it is ruled out as a vehicle.
+    bool isOfHits = false;
     /// Covariance of (x, y, heading, speed): m, m, rad, m/s.
     Eigen::Matrix4d covariance = Eigen::Matrix4d::Zero();
     double lengthVariance = 0.0;  ///< m^2
@@ -63,6 +68,12 @@ struct TrackReport
     /// it; else empty.
     std::vector<float> features;
 };
+
+/// Whether others are told of it, as of what is believed to be there.
+inline bool isPublished(const TrackReport& report)
+{
+    return report.status == TrackStatus::Confirmed || report.status == TrackStatus::Coasting;
+}
 
 /// What the discriminator calls it; where only its probability is known, what is more likely.
 /// Nothing where none ran.
