@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "vdamf/tracking/estimation/variable_axis_model.h"
 
@@ -122,6 +123,7 @@ TrackReport smoothedBy(const TrackMoment& later, TrackReport report, double dt)
     report.covariance = motion->covariance;
     return report;
 }
+
 // The covariance of a pose as it is, with another variance of the speed.
 Eigen::Matrix4d withSpeedVariance(const Eigen::Matrix4d& covariance, double variance)
 {
@@ -132,13 +134,13 @@ Eigen::Matrix4d withSpeedVariance(const Eigen::Matrix4d& covariance, double vari
 
 // What lasts of the errors of poses no frames average out: they stay as unsure as they were, those
 // of a new track as they were when it was confirmed.
-TrackHistory withErrorsThatLast(TrackHistory told, const TrackHistory& before)
+TrackHistory withErrorsThatLast(TrackHistory told, const std::vector<Eigen::Matrix4d>& before)
 {
     for (std::size_t k = told.size(); k-- > 0;)
     {
         TrackReport& report = told[k].report;
         const bool isNew = report.status == TrackStatus::Tentative && k + 1 < told.size();
-        report.covariance = withSpeedVariance((isNew ? told[k + 1] : before[k]).report.covariance,
+        report.covariance = withSpeedVariance(isNew ? told[k + 1].report.covariance : before[k],
                                               std::max(0.0, report.covariance(3, 3)));
     }
     return told;
@@ -147,7 +149,9 @@ TrackHistory withErrorsThatLast(TrackHistory told, const TrackHistory& before)
 
 TrackHistory smoothed(TrackHistory history)
 {
-    const TrackHistory before = history;
+    std::vector<Eigen::Matrix4d> before;
+    before.reserve(history.size());
+    for (const TrackMoment& moment : history) before.push_back(moment.report.covariance);
     for (std::size_t k = history.size(); k-- > 1;)
     {
         // Nobody saw it end, and where, nor how late.
