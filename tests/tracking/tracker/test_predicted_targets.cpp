@@ -84,6 +84,28 @@ TEST(PredictedTargets, ATruckIsOneWhereItDrivesAndItsWidthWasSeen)
     }
 }
 
+TEST(PredictedTargets, WhatIsNoVehicleIsAsLargeAsItsHits)
+{
+    Track rail;
+    rail.state.mean << 10.0, 5.0, 0.0, 20.0, 0.0, 1.2, 26.0;
+    rail.state.width = 2.1;
+    rail.state.widthVariance = 0.3 * 0.3;
+    rail.around = {0.0, -0.9, 0.0, 25.0, 0.3};
+    rail.judgement.probability = 0.005;
+    rail.sightings = 20;
+    for (const int misses : {0, 1})
+    {
+        rail.misses = misses;
+        EXPECT_EQ(targetOf(rail).box, rail.boxOfHits()) << misses << " misses";
+        EXPECT_EQ(targetOf(rail).widthSigma, 0.0);
+    }
+    rail.judgement.probability = 0.05;
+    EXPECT_EQ(targetOf(rail).box, rail.box()) << "its last hits may have been a part of a car";
+    EXPECT_EQ(targetOf(rail).widthSigma, 0.3);
+    rail.misses = 0;
+    EXPECT_EQ(targetOf(rail).box, rail.boxOfHits());
+}
+
 TEST(PredictedTargets, ClutterIsWhatSurelyIsNoVehicle)
 {
     EXPECT_TRUE(targetOf(0.1, 1.8, 1.5).isClutter);

@@ -22,6 +22,12 @@ bool isTruckOfKnownSize(const Track& track)
            track.box().width < kWidestTruck &&
            std::max(track.lengthSigma(), track.widthSigma()) < kSureSize;
 }
+// Of what was lost from sight, and not surely no vehicle, the last hits.
+bool mayHaveBeenAPart(const Track& track, double probability)
+{
+    constexpr double kSurelyNone = 0.01;  // probability
+    return track.misses > 0 && probability > kSurelyNone;
+}
 }  // namespace
 
 std::vector<PredictedTarget> predictedTargets(const std::vector<Track>& tracks,
@@ -32,9 +38,10 @@ std::vector<PredictedTarget> predictedTargets(const std::vector<Track>& tracks,
     all.reserve(tracks.size());
     for (const Track& track : tracks)
     {
-        // What is no vehicle is not as large as one either; of what was lost from sight the last
-        // hits may have been a part.
-        const bool isAsLarge = track.misses > 0 || !discriminator.rulesOut(track);
+        const double probability = discriminator.vehicleProbability(track);
+        // What is no vehicle is not as large as one either.
+        const bool isAsLarge =
+            !discriminator.rulesOut(track) || mayHaveBeenAPart(track, probability);
         PredictedTarget target;
         target.box = isAsLarge ? track.box() : track.boxOfHits();
         target.positionSigma = track.boxSigma();
@@ -43,7 +50,6 @@ std::vector<PredictedTarget> predictedTargets(const std::vector<Track>& tracks,
         target.velocity = track.velocity();
         target.speedSigma = track.state.speedSigma();
         target.speedCovariance = track.speedCovariance();
-        const double probability = discriminator.vehicleProbability(track);
         target.isBounded =
             probability > kSurelyAVehicle && (isCar(track) || isTruckOfKnownSize(track));
         target.isDrivingTruck = probability > kSurelyAVehicle && !target.isBounded &&
