@@ -136,6 +136,23 @@ TEST_F(Confirmation, OfFewHitsWhatMayDriveIsNotTakenToStand)
     EXPECT_EQ(sightingsUntilConfirmed(track, options_.lifecycle), 7);
 }
 
+TEST_F(Confirmation, WaitsWhereItsShapeAndItsWayTellDifferentFronts)
+{
+    Track track = standing();
+    track.state.mean(kSpeed) = -3.0;
+    HeadingCues cues;
+    cues.forth = 0.0;
+    cues.dt = 0.1;
+    track.front = track.front.after(cues);
+    track.state.mean(kSpeed) = -1.2;
+    EXPECT_EQ(sightingsUntilConfirmed(track, options_.lifecycle), 7) << "it may stand";
+    track.state.mean(kSpeed) = -3.0;
+    EXPECT_EQ(sightingsUntilConfirmed(track, options_.lifecycle), 13);
+    cues.forth = 1.0;
+    for (int k = 0; k < 5; ++k) track.front = track.front.after(cues);
+    EXPECT_EQ(sightingsUntilConfirmed(track, options_.lifecycle), 3);
+}
+
 TEST_F(Confirmation, WaitsAfterAHopOnToSomethingElse)
 {
     Track track = standing();

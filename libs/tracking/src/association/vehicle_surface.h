@@ -34,6 +34,18 @@ public:
         { return sigma < kSureSize ? size + slack + 2.0 * sigma : 1e30; };
         most_ = {most(vehicle.box.length, options.lengthSlack, vehicle.lengthSigma),
                  most(vehicle.box.width, options.widthSlack, vehicle.widthSigma)};
+        // No hits far beyond what was measured, and is where it was, are the vehicle's.
+        const auto farthest = [](double half, double slack, double sizeSigma, double placeSigma)
+        {
+            constexpr double kSure = 0.1;  // m
+            return std::max(sizeSigma, placeSigma) < kSure
+                       ? half + slack + 2.0 * (sizeSigma + placeSigma)
+                       : 1e30;
+        };
+        farthest_ = {
+            farthest(half_.x(), options.lengthSlack, vehicle.lengthSigma,
+                     vehicle.positionSigma.x()),
+            farthest(half_.y(), options.widthSlack, vehicle.widthSigma, vehicle.positionSigma.y())};
     }
 
     /// Along and across the box, from its centre at the time of the hit.
@@ -54,6 +66,7 @@ public:
             min = min.cwiseMin(p);
             max = max.cwiseMax(p);
             if (((max - min).array() > most_.array()).any()) return true;
+            if ((p.cwiseAbs().array() > farthest_.array()).any()) return true;
         }
         return false;
     }
@@ -81,9 +94,10 @@ private:
     Eigen::Vector2d centre_;
     Eigen::Vector2d velocity_;
     Eigen::Matrix2d toBox_;
-    Eigen::Vector2d view_;    // of the sensor, in the box
-    Eigen::Vector2d weight_;  // inverse variances along and across, 1/m^2
-    Eigen::Vector2d most_;    // extents of a cluster that is the vehicle's alone, m
+    Eigen::Vector2d view_;      // of the sensor, in the box
+    Eigen::Vector2d weight_;    // inverse variances along and across, 1/m^2
+    Eigen::Vector2d most_;      // extents of a cluster that is the vehicle's alone, m
+    Eigen::Vector2d farthest_;  // places of its hits, m
 };
 
 }  // namespace vdamf

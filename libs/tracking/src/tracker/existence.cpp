@@ -82,20 +82,35 @@ bool isVehicleOfKnownSpeed(const Track& track)
     return track.judgement.probability > kSurelyAVehicle && isSpeedSure(track);
 }
 
+// Probability that it drives forward, by the way it moves or by all that is known, whichever says
+// less.
+double forwardProbability(const Track& track)
+{
+    return std::min(track.front.forwardProbability(), track.front.forwardProbabilityByCourse());
+}
+
+constexpr double kStill = 1.0;  // m/s
+
+// Whether what surely moves may as well drive backward: its shape and its way tell different
+// fronts.
+bool isFrontDisputed(const Track& track, const LifecycleOptions& options)
+{
+    return std::abs(track.state.mean(kSpeed)) - 2.0 * track.state.speedSigma() > kStill &&
+           forwardProbability(track) < options.confirmAxes;
+}
+
 // Whether the speed is not known yet, nor which way what may be moving drives.
 bool isSpeedVague(const Track& track, const LifecycleOptions& options)
 {
-    constexpr double kStill = 1.0;  // m/s
     // Of few hits, what drives seems to stand at first: as fast as it may be if it does not.
     const bool isFew = isHardlySeen(track);
     const VehicleState& told = isFew ? track.hypotheses->driving.front() : track.state;
     const double speed = std::abs(told.mean(kSpeed));
     const double error = 2.0 * told.speedSigma();
     const bool mayBeEither = isFew && (speed - error < kStill || !isVehicleOfKnownSpeed(track));
-    const double forward =
-        std::min(track.front.forwardProbability(), track.front.forwardProbabilityByCourse());
     return track.state.speedSigma() > options.confirmSpeedSigma ||
-           (speed + error > kStill && (mayBeEither || forward < options.confirmAxes));
+           (speed + error > kStill &&
+            (mayBeEither || forwardProbability(track) < options.confirmAxes));
 }
 
 // Sightings more that it takes to confirm a track. What may still be across is not where its box
@@ -103,14 +118,14 @@ bool isSpeedVague(const Track& track, const LifecycleOptions& options)
 int patienceWith(const Track& track, const LifecycleOptions& options)
 {
     constexpr int kForSpeed = 4;
-    constexpr int kForAxes = 10;
+    constexpr int kForAxes = 10;  // or the front
     constexpr int kForMoreHits = 30;
     constexpr double kAsLikely = 0.5;  // probability
     const double axes = track.front.axesProbability();
     const bool mayBeAcross = axes < options.confirmAxes;
     if (isPiece(track) || axes < kAsLikely || (mayBeAcross && isHardlySeen(track)))
         return kForMoreHits;
-    if (mayBeAcross) return kForAxes;
+    if (mayBeAcross || isFrontDisputed(track, options)) return kForAxes;
     return isSpeedVague(track, options) ? kForSpeed : 0;
 }
 }  // namespace
