@@ -107,6 +107,19 @@ TEST(VehicleCut, ACarKeepsItsHitsBesideKnownClutter)
     EXPECT_EQ(cut.clusters[0].size() + cut.clusters[1].size(), 240U);
 }
 
+TEST(VehicleCut, ACarThatDrivesKeepsItsHitsWhereverItPasses)
+{
+    PredictedTarget car = sureCar();
+    car.velocity = {5.0, 0.0};
+    car.speedSigma = 0.3;
+    const SegmentedFrame cut = cutFor({car});
+    ASSERT_EQ(cut.clusters.size(), 2U);
+    EXPECT_EQ(cut.isVehicle, (std::vector<bool>{false, true}));
+    EXPECT_EQ(cut.clusters[1].size(), 120U);
+    car.speedSigma = 2.0;
+    EXPECT_EQ(cutFor({car}).clusters.size(), 1U) << "it may stand";
+}
+
 TEST(VehicleCut, WithoutADentNothingElseIsCut)
 {
     EXPECT_EQ(cutFor({sureCar()}).clusters.size(), 1U) << "it may be longer than it seemed";

@@ -38,6 +38,16 @@ Parts cutBy(const KnownVehicles& vehicles, Cluster cluster, const SegmentedFrame
     return parts;
 }
 
+std::vector<PredictedTarget> drivingAmong(const std::vector<PredictedTarget>& targets)
+{
+    constexpr double kDrives = 2.0;  // m/s
+    std::vector<PredictedTarget> driving;
+    std::copy_if(targets.begin(), targets.end(), std::back_inserter(driving),
+                 [](const PredictedTarget& t)
+                 { return t.velocity.norm() > kDrives + 2.0 * t.speedSigma; });
+    return driving;
+}
+
 void append(std::vector<Cluster>& to, std::vector<Cluster> more)
 {
     std::move(more.begin(), more.end(), std::back_inserter(to));
@@ -53,6 +63,7 @@ SegmentedFrame withVehiclesCutOut(SegmentedFrame frame, const std::vector<Predic
     const Clutter clutter(targets);
     frame = withNewcomersCutOff(std::move(frame), targets, tracks, clutter, options.clustering);
     const KnownVehicles known(targets, options.association);
+    const KnownVehicles driving(drivingAmong(targets), options.association);
     Parts all;
     for (Cluster& cluster : frame.clusters)
     {
@@ -66,12 +77,10 @@ SegmentedFrame withVehiclesCutOut(SegmentedFrame frame, const std::vector<Predic
         std::vector<Cluster> pieces;
         if (isSearched) pieces = convexPieces(cluster, frame.sensor);
         const bool isDented = !pieces.empty();
-        if (!isDented && !holdsClutter)
-        {
-            all.rest.push_back(std::move(cluster));
-            continue;
-        }
-        Parts parts = cutBy(known, std::move(cluster), frame, options.clustering);
+        // Whose hits they are is sure where something tells that they are not all of one thing,
+        // or where the vehicle's own way tells how it lies.
+        Parts parts = cutBy(isDented || holdsClutter ? known : driving, std::move(cluster), frame,
+                            options.clustering);
         const bool isCut = !parts.vehicles.empty();
         append(all.vehicles, std::move(parts.vehicles));
         if (!isDented)

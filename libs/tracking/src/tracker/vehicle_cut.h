@@ -14,7 +14,8 @@ namespace vdamf
 {
 /// First newcomers are cut off (newcomers.h). Clusters whose outline is dented are searched for
 /// cars: those of the tracks that they outgrow, and those that show between the dents. Where known
-/// clutter lies in one without dents, such tracks tell as well which hits are theirs. What lies on
+/// clutter lies in one without dents, such tracks tell as well which hits are theirs, and those of
+/// vehicles that drive, whose way tells how they lie, tell it of any cluster. What lies on
 /// one comes behind all clusters, marked as a vehicle's, and what does not is clustered anew. Then
 /// what is longer than [clustering] max_extent_m is dropped.
 ///
