@@ -45,6 +45,21 @@ TEST(PredictedTargets, WhatMayBeATruckIsNoCar)
     EXPECT_FALSE(targetOf(0.9, 1.8, 2.8).isBounded);
 }
 
+TEST(PredictedTargets, ATreeOverACarMakesItNoTruck)
+{
+    Track car = truckOfKnownWidth();
+    car.state.width = 1.8;
+    car.height = 2.9;
+    EXPECT_FALSE(targetOf(car).isBounded) << "its faces may be as high";
+    car.tallest = 1.6;
+    EXPECT_TRUE(targetOf(car).isBounded);
+    car.tallest = 2.5;
+    EXPECT_FALSE(targetOf(car).isBounded);
+    car.tallest = 1.6;
+    car.state.width = 2.5;
+    EXPECT_FALSE(targetOf(car).isBounded) << "the front of a truck";
+}
+
 TEST(PredictedTargets, ATruckEndsWhereItsBoxDoesWhereItStandsAndItsSizeIsKnown)
 {
     Track truck = truckOfKnownWidth();

@@ -10,9 +10,12 @@ namespace vdamf
 {
 namespace
 {
+// By what shows on its faces where that is known: trees over cars are as high as trucks.
 bool isCar(const Track& track)
 {
-    return track.height < kLowestTruck && track.box().width < widestCar(track.height);
+    const double height =
+        track.tallest > 0.0 ? std::min(track.tallest, track.height) : track.height;
+    return height < kLowestTruck && track.box().width < widestCar(height);
 }
 
 // One that stands: of one that drives no more than the width is certain.
