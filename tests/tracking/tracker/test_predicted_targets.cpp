@@ -50,6 +50,7 @@ TEST(PredictedTargets, ATreeOverACarMakesItNoTruck)
     Track car = truckOfKnownWidth();
     car.state.width = 1.8;
     car.height = 2.9;
+    car.judgement.probability = 0.99;
     EXPECT_FALSE(targetOf(car).isBounded) << "its faces may be as high";
     car.tallest = 1.6;
     EXPECT_TRUE(targetOf(car).isBounded);
@@ -58,6 +59,9 @@ TEST(PredictedTargets, ATreeOverACarMakesItNoTruck)
     car.tallest = 1.6;
     car.state.width = 2.5;
     EXPECT_FALSE(targetOf(car).isBounded) << "the front of a truck";
+    car.state.width = 1.8;
+    car.judgement.probability = 0.9;
+    EXPECT_FALSE(targetOf(car).isBounded) << "the cab of one";
 }
 
 TEST(PredictedTargets, ATruckEndsWhereItsBoxDoesWhereItStandsAndItsSizeIsKnown)

@@ -10,12 +10,17 @@ namespace vdamf
 {
 namespace
 {
-// By what shows on its faces where that is known: trees over cars are as high as trucks.
 bool isCar(const Track& track)
 {
-    const double height =
-        track.tallest > 0.0 ? std::min(track.tallest, track.height) : track.height;
-    return height < kLowestTruck && track.box().width < widestCar(height);
+    return track.height < kLowestTruck && track.box().width < widestCar(track.height);
+}
+
+// What is as low as a car by its faces, and no truck's cab either: those are less sure.
+bool isCarUnderATree(const Track& track)
+{
+    constexpr double kBeyondDoubt = 0.95;  // probability
+    return track.judgement.probability > kBeyondDoubt && track.tallest > 0.0 &&
+           track.tallest < kLowestTruck && track.box().width < widestCar(track.tallest);
 }
 
 // One that stands: of one that drives no more than the width is certain.
@@ -53,8 +58,8 @@ std::vector<PredictedTarget> predictedTargets(const std::vector<Track>& tracks,
         target.velocity = track.velocity();
         target.speedSigma = track.state.speedSigma();
         target.speedCovariance = track.speedCovariance();
-        target.isBounded =
-            probability > kSurelyAVehicle && (isCar(track) || isTruckOfKnownSize(track));
+        target.isBounded = probability > kSurelyAVehicle &&
+                           (isCar(track) || isCarUnderATree(track) || isTruckOfKnownSize(track));
         target.isDrivingTruck = probability > kSurelyAVehicle && !target.isBounded &&
                                 track.told.width && track.box().width < kWidestTruck &&
                                 track.stoodProbability < kMayStand;
