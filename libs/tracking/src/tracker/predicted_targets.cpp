@@ -30,6 +30,7 @@ bool isTruckOfKnownSize(const Track& track)
            track.box().width < kWidestTruck &&
            std::max(track.lengthSigma(), track.widthSigma()) < kSureSize;
 }
+
 // Of what was lost from sight, and not surely no vehicle, the last hits.
 bool mayHaveBeenAPart(const Track& track, double probability)
 {
