@@ -67,7 +67,7 @@ PredictedTarget drivingTruck(const OrientedBox& box)
 
 std::optional<CutCluster> cut(const Cluster& cluster, const PredictedTarget& vehicle)
 {
-    return KnownVehicles({vehicle}, {}).cut(cluster, kSensor);
+    return KnownVehicles({vehicle}, {}).cut(cluster, boundsOf(cluster), kSensor);
 }
 
 TEST(OutgrownClusters, TheCarAndTheHedgeBehindIt)
@@ -146,7 +146,7 @@ TEST(OutgrownClusters, ATruckThatDrivesAndAKnownVehicleThatItPasses)
     const PredictedTarget truck = drivingTruck({17.5, -1.2, 0.0, 5.0, 2.4});
     Cluster both = carAlone();
     addLine(both, {15.0F, -2.4F}, {15.0F, 0.0F}, 30);
-    const auto parts = KnownVehicles({truck, car()}, {}).cut(both, kSensor);
+    const auto parts = KnownVehicles({truck, car()}, {}).cut(both, boundsOf(both), kSensor);
     ASSERT_TRUE(parts);
     ASSERT_EQ(parts->vehicles.size(), 2U);
     EXPECT_EQ(parts->vehicles[0].size(), 40U) << "the car's first";
@@ -156,7 +156,7 @@ TEST(OutgrownClusters, ATruckThatDrivesAndAKnownVehicleThatItPasses)
     ends.isDrivingTruck = false;
     ends.isBounded = true;
     ends.positionSigma.x() = 0.1;
-    EXPECT_FALSE(KnownVehicles({ends, car()}, {}).cut(both, kSensor)) << "they meet at a line";
+    EXPECT_FALSE(KnownVehicles({ends, car()}, {}).cut(both, boundsOf(both), kSensor)) << "they meet at a line";
 }
 
 TEST(OutgrownClusters, NotByAnAssumedLength)
@@ -192,7 +192,7 @@ TEST(OutgrownClusters, OfTwoCarsEachHasItsOwn)
     addLine(both, {17.0F, -4.75F}, {17.0F, -3.0F}, 15);
     PredictedTarget ahead = car();
     ahead.box.x += 7.0;
-    const auto parts = KnownVehicles({car(), ahead}, {}).cut(both, kSensor);
+    const auto parts = KnownVehicles({car(), ahead}, {}).cut(both, boundsOf(both), kSensor);
     ASSERT_TRUE(parts);
     ASSERT_EQ(parts->vehicles.size(), 2U);
     EXPECT_EQ(parts->vehicles[0].size(), 40U);
@@ -205,7 +205,7 @@ TEST(OutgrownClusters, OfACarWithHardlyAnyHitsTheyStayWithTheRest)
     addLine(both, {17.0F, -4.75F}, {17.0F, -3.0F}, 3);
     PredictedTarget ahead = car();
     ahead.box.x += 7.0;
-    const auto parts = KnownVehicles({car(), ahead}, {}).cut(both, kSensor);
+    const auto parts = KnownVehicles({car(), ahead}, {}).cut(both, boundsOf(both), kSensor);
     ASSERT_TRUE(parts);
     ASSERT_EQ(parts->vehicles.size(), 1U);
     EXPECT_EQ(parts->vehicles[0].size(), 40U);

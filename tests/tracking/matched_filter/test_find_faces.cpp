@@ -2,7 +2,9 @@
 // The second look at faces that hold too few of the hits, and what is said where little is known.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <random>
 #include <set>
@@ -95,6 +97,21 @@ TEST(MeasureTarget, IsNotTurnedByABush)
         good += onFaces ? 1 : 0;
     }
     EXPECT_GE(good, runs - 1);
+}
+
+TEST(ShareOnNearFaces, HasNoRoofOfACarOnItsSide)
+{
+    Hits hits;
+    const Eigen::Matrix2d axes = rotation(kCar.heading);
+    for (int i = 0; i < 20; ++i)
+        add(hits, kCar.centre() + axes * Eigen::Vector2d(0.1 * i - 1.0, 0.5 * kCar.width));
+    hits.height.assign(20, 0.8);
+    std::fill_n(hits.height.begin(), 10, 1.45);
+    EXPECT_NEAR(shareOnNearFaces(hits, kCar, kSensor, 0.06), 1.0, 1e-9) << "of anything";
+    hits.heights = (1U << 8U) | (1U << 14U);
+    EXPECT_NEAR(shareOnNearFaces(hits, kCar, kSensor, 0.06), 0.5, 1e-9) << "of a car";
+    hits.heights |= std::uint64_t{1} << 25U;
+    EXPECT_NEAR(shareOnNearFaces(hits, kCar, kSensor, 0.06), 1.0, 1e-9) << "of a truck";
 }
 
 OrientedBox disturbedCar(unsigned seed, double position, double heading)

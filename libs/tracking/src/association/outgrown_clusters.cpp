@@ -6,7 +6,6 @@
 
 #include "association/vehicle_surface.h"
 #include "types/append_hit.h"
-#include "types/cluster_bounds.h"
 
 namespace vdamf
 {
@@ -85,13 +84,13 @@ KnownVehicles::KnownVehicles(const std::vector<PredictedTarget>& targets,
 {
 }
 
-std::optional<CutCluster> KnownVehicles::cut(const Cluster& cluster,
+std::optional<CutCluster> KnownVehicles::cut(const Cluster& cluster, const ClusterBounds& bounds,
                                              const Eigen::Vector2d& sensor) const
 {
     if (cluster.size() < 2 * kLeastHits || vehicles_.empty()) return std::nullopt;
     std::vector<VehicleSurface> outgrown;
     std::size_t bounded = 0;  // of these
-    for (const std::size_t k : index_.overlapping(PlaneBounds::around(boundsOf(cluster))))
+    for (const std::size_t k : index_.overlapping(PlaneBounds::around(bounds)))
     {
         const VehicleSurface surface = surfaceOf(vehicles_[k], sensor, options_);
         if (!surface.isOutgrownBy(cluster)) continue;

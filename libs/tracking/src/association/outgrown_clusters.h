@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "association/plane_index.h"
+#include "types/cluster_bounds.h"
 #include "vdamf/tracking/association/auction.h"
 #include "vdamf/tracking/types/cluster.h"
 
@@ -28,9 +29,10 @@ public:
     KnownVehicles(const std::vector<PredictedTarget>& targets, const AssociationOptions& options);
 
     /// What lies on the vehicles and what does not, where a cluster reaches farther beyond one of
-    /// them than its size may err, and there are hits enough of both. Else nothing. `sensor`: in
-    /// the frame of the hits, m.
-    std::optional<CutCluster> cut(const Cluster& cluster, const Eigen::Vector2d& sensor) const;
+    /// them than its size may err, and there are hits enough of both. Else nothing. `bounds`: of
+    /// the cluster; `sensor`: in the frame of the hits, m.
+    std::optional<CutCluster> cut(const Cluster& cluster, const ClusterBounds& bounds,
+                                  const Eigen::Vector2d& sensor) const;
 
 private:
     AssociationOptions options_;

@@ -30,22 +30,19 @@ public:
               (vehicle.positionSigma.array().square() + options.surfaceSigma * options.surfaceSigma)
                   .inverse())
     {
-        const auto most = [](double size, double slack, double sigma)
-        { return sigma < kSureSize ? size + slack + 2.0 * sigma : 1e30; };
-        most_ = {most(vehicle.box.length, options.lengthSlack, vehicle.lengthSigma),
-                 most(vehicle.box.width, options.widthSlack, vehicle.widthSigma)};
+        const Eigen::Vector2d slack(options.lengthSlack, options.widthSlack);
+        const Eigen::Vector2d sizeSigma(vehicle.lengthSigma, vehicle.widthSigma);
+        most_ = 2.0 * half_ + slack + 2.0 * sizeSigma;
         // No hits far beyond what was measured, and is where it was, are the vehicle's.
-        const auto farthest = [](double half, double slack, double sizeSigma, double placeSigma)
+        farthest_ = most_ - half_ + 2.0 * vehicle.positionSigma;
+        for (int axis = 0; axis < 2; ++axis)
         {
             constexpr double kSure = 0.1;  // m
-            return std::max(sizeSigma, placeSigma) < kSure
-                       ? half + slack + 2.0 * (sizeSigma + placeSigma)
-                       : 1e30;
-        };
-        farthest_ = {
-            farthest(half_.x(), options.lengthSlack, vehicle.lengthSigma,
-                     vehicle.positionSigma.x()),
-            farthest(half_.y(), options.widthSlack, vehicle.widthSigma, vehicle.positionSigma.y())};
+            constexpr double kAny = 1e30;
+            if (sizeSigma(axis) >= kSureSize) most_(axis) = kAny;
+            if (std::max(sizeSigma(axis), vehicle.positionSigma(axis)) >= kSure)
+                farthest_(axis) = kAny;
+        }
     }
 
     /// Along and across the box, from its centre at the time of the hit.

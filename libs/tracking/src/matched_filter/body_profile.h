@@ -19,6 +19,8 @@ struct BodyProfile
     double beyondError = 0.0;     ///< ... and the standard deviation of that
 };
 
+constexpr double kCarRoof = 1.38;  ///< of cars: roofs begin, m above the ground
+
 /// Whether hits at such heights (as in Hits) are of a car, which nothing taller is; not where they
 /// are unknown.
 bool areOfCar(std::uint64_t heights);

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "matched_filter/body_profile.h"
 #include "types/lanes.h"
 #include "types/wide_lanes.h"
 
@@ -230,6 +231,10 @@ double shareOnNearFaces(const Hits& hits, const OrientedBox& box, const Eigen::V
     constexpr double kFar = 1e30;
     const double noEnd = signX * view.x() > 0.5 * box.length ? 0.0 : kFar;
     const double noSide = signY * view.y() > 0.5 * box.width ? 0.0 : kFar;
+    // Without heights any number stands for them.
+    const bool hasRoof = areOfCar(hits.heights) && !hits.height.empty();
+    const double* const heights = hasRoof ? hits.height.data() : hits.weight.data();
+    const double roof = hasRoof ? kCarRoof : kFar;
     double share = 0.0;
     inWideLanes([
         =, c = forward.cos, s = forward.sin, size = hits.size(), px = hits.x.data(),
@@ -241,16 +246,19 @@ double shareOnNearFaces(const Hits& hits, const OrientedBox& box, const Eigen::V
             Doubles dx;
             Doubles dy;
             Doubles weight;
+            Doubles height;
             load(dx, px + first, count);
             load(dy, py + first, count);
             load(weight, weights + first, count);
+            load(height, heights + first, count);
             dx -= box.x;
             dy -= box.y;
             // Outwards of the two near faces.
             const Doubles end = signX * (c * dx + s * dy) - 0.5 * box.length;
             const Doubles side = signY * (c * dy - s * dx) - 0.5 * box.width;
             const auto besideEnd = (side < scale) & (side > -box.width - scale);
-            const auto besideSide = (end < scale) & (end > -box.length - scale);
+            const auto besideSide =
+                (end < scale) & (end > -box.length - scale) & (height <= roof);
             const Doubles far = Doubles{} + kFar;
             const Doubles byEnd = (besideEnd ? end * end : far) + noEnd;
             const Doubles bySide = (besideSide ? side * side : far) + noSide;

@@ -16,7 +16,7 @@ OrientedBox boxInDensestCorner(const Hits& hits, const OrientedBox& start,
                                const Eigen::Vector2d& sensor);
 
 /// Share of the hits (0..1) on the faces towards the sensor: by exp(-d^2 / (2 scale^2)) with d (m)
-/// the distance of a hit to the nearer of them.
+/// the distance of a hit to the nearer of them. Those on the roof of a car are on no side.
 double shareOnNearFaces(const Hits& hits, const OrientedBox& box, const Eigen::Vector2d& sensor,
                         double scale);
 

@@ -12,10 +12,7 @@ namespace vdamf
 {
 namespace
 {
-// Of cars, m above the ground: windows recede from there on,
-constexpr double kBelt = 1.05;
-// and roofs begin.
-constexpr double kRoof = 1.38;
+constexpr double kBelt = 1.05;  // of cars, m above the ground: windows recede from there on
 
 // Where some of the hits lie in the axes of the box, and on which of the faces.
 struct Located
@@ -96,7 +93,7 @@ NearFaces nearFaces(const Hits& hits, const OrientedBox& box, FaceSet seen,
             const bool onEnd = located.face[i] == 0;
             const double weight = hits.weight[begin + i];
             const double height = hasBelt && !onEnd ? hits.height[begin + i] : 0.0;
-            if (height > kRoof) continue;
+            if (height > kCarRoof) continue;
             NearFace& face = onEnd ? end : (height > kBelt ? upper : side);
             face.hits.add(
                 onEnd ? signX * located.x[i] : signY * located.y[i],

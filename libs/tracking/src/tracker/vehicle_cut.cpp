@@ -25,10 +25,10 @@ struct Parts
 };
 
 // What a cluster is cut into by some vehicles; all of it is rest where they do not cut it.
-Parts cutBy(const KnownVehicles& vehicles, Cluster cluster, const SegmentedFrame& frame,
-            const ClusterOptions& options)
+Parts cutBy(const KnownVehicles& vehicles, Cluster cluster, const ClusterBounds& bounds,
+            const SegmentedFrame& frame, const ClusterOptions& options)
 {
-    auto cut = vehicles.cut(cluster, frame.sensor);
+    auto cut = vehicles.cut(cluster, bounds, frame.sensor);
     Parts parts;
     if (cut)
         parts = {std::move(cut->vehicles),
@@ -79,8 +79,8 @@ SegmentedFrame withVehiclesCutOut(SegmentedFrame frame, const std::vector<Predic
         const bool isDented = !pieces.empty();
         // Whose hits they are is sure where something tells that they are not all of one thing,
         // or where the vehicle's own way tells how it lies.
-        Parts parts = cutBy(isDented || holdsClutter ? known : driving, std::move(cluster), frame,
-                            options.clustering);
+        Parts parts = cutBy(isDented || holdsClutter ? known : driving, std::move(cluster), bounds,
+                            frame, options.clustering);
         const bool isCut = !parts.vehicles.empty();
         append(all.vehicles, std::move(parts.vehicles));
         if (!isDented)
@@ -94,7 +94,8 @@ SegmentedFrame withVehiclesCutOut(SegmentedFrame frame, const std::vector<Predic
             const KnownVehicles found(
                 vehiclesAmong(std::move(pieces), frame, around, discriminator, options),
                 options.association);
-            Parts more = cutBy(found, std::move(rest), frame, options.clustering);
+            const ClusterBounds within = boundsOf(rest);
+            Parts more = cutBy(found, std::move(rest), within, frame, options.clustering);
             append(all.vehicles, std::move(more.vehicles));
             append(all.rest, std::move(more.rest));
         }
