@@ -156,7 +156,8 @@ TEST(OutgrownClusters, ATruckThatDrivesAndAKnownVehicleThatItPasses)
     ends.isDrivingTruck = false;
     ends.isBounded = true;
     ends.positionSigma.x() = 0.1;
-    EXPECT_FALSE(KnownVehicles({ends, car()}, {}).cut(both, boundsOf(both), kSensor)) << "they meet at a line";
+    EXPECT_FALSE(KnownVehicles({ends, car()}, {}).cut(both, boundsOf(both), kSensor))
+        << "they meet at a line";
 }
 
 TEST(OutgrownClusters, NotByAnAssumedLength)

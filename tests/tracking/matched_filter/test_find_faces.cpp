@@ -114,6 +114,45 @@ TEST(ShareOnNearFaces, HasNoRoofOfACarOnItsSide)
     EXPECT_NEAR(shareOnNearFaces(hits, kCar, kSensor, 0.06), 1.0, 1e-9) << "of a truck";
 }
 
+// Rows of hits along bonnet and roof, and so many on the side of a car to the left of the sensor.
+Hits fromAbove(double roofHeight)
+{
+    Hits hits;
+    const auto row = [&](int count, double x, double y, double height)
+    {
+        for (int i = 0; i < count; ++i)
+        {
+            add(hits, {x + 0.04 * i, y});
+            hits.height.push_back(height);
+        }
+    };
+    row(100, -1.6, 4.2, 0.9);
+    row(20, -0.4, 3.6, roofHeight);
+    row(20, -0.4, 3.0, 1.2);
+    hits.heights = (1U << 9U) | (1U << 12U) | (1U << 14U);
+    return hits;
+}
+
+TEST(MeasureTarget, DoubtsASideWithHitsBeforeIt)
+{
+    // Held for the row on its bonnet.
+    const OrientedBox start{0.8, 5.1, 0.0, 4.5, 1.8};
+    const SearchEffort first{0.0, true};
+    const auto sigmaOfSide = [&](double roofHeight)
+    {
+        const Measurement m =
+            measureTarget(fromAbove(roofHeight), kSensor, start, {}, std::nullopt, first);
+        EXPECT_EQ(toString(m.facesSeen), "R") << roofHeight;
+        EXPECT_NEAR(m.box.y - 0.5 * m.box.width, 4.2, 0.2) << roofHeight;
+        Vector5d side = Vector5d::Zero();
+        side(1) = 1.0;
+        side(4) = -0.5;
+        return std::sqrt(side.dot(m.covariance * side));
+    };
+    EXPECT_GT(sigmaOfSide(1.45), 0.4);
+    EXPECT_LT(sigmaOfSide(1.3), 0.3) << "no roof";
+}
+
 OrientedBox disturbedCar(unsigned seed, double position, double heading)
 {
     std::mt19937 generator(seed);

@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 #include "vdamf/tracking/estimation/visibility.h"
 #include "vdamf/tracking/preprocessing/range_profile.h"
@@ -95,6 +97,21 @@ TEST(EndsInView, ACarIsNot)
 {
     const SceneOfPanels scene({{20.0, -2.2, 2.2, 0.4, 1.7}, {10.0, -9.0, 9.0, 0.2, 1.2}});
     EXPECT_EQ(toString(scene.measured().hiddenEnds), "FB") << "its roof ends before its bonnet";
+}
+
+TEST(EndsInView, WindowsEndBeforeTheirCar)
+{
+    SceneOfPanels windows({{20.0, -1.5, 1.5, 1.05, 1.5}});
+    EXPECT_EQ(toString(windows.measured().hiddenEnds), "FB");
+    Cluster& hits = windows.frame.clusters.front();
+    const auto atFront =
+        static_cast<std::size_t>(std::max_element(hits.x.begin(), hits.x.end()) - hits.x.begin());
+    hits.height[atFront] = 0.8F;
+    EXPECT_EQ(toString(windows.measured().hiddenEnds), "B") << "its body shows at the front";
+    windows.frame.planar = true;
+    EXPECT_EQ(toString(windows.measured().hiddenEnds), "") << "heights are not known";
+    const SceneOfPanels van({{20.0, -2.7, 2.7, 1.05, 2.1}});
+    EXPECT_EQ(toString(van.measured().hiddenEnds), "");
 }
 
 TEST(EndsInView, AVanIsToAMetre)

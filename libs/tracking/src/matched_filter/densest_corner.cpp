@@ -257,8 +257,7 @@ double shareOnNearFaces(const Hits& hits, const OrientedBox& box, const Eigen::V
             const Doubles end = signX * (c * dx + s * dy) - 0.5 * box.length;
             const Doubles side = signY * (c * dy - s * dx) - 0.5 * box.width;
             const auto besideEnd = (side < scale) & (side > -box.width - scale);
-            const auto besideSide =
-                (end < scale) & (end > -box.length - scale) & (height <= roof);
+            const auto besideSide = (end < scale) & (end > -box.length - scale) & (height <= roof);
             const Doubles far = Doubles{} + kFar;
             const Doubles byEnd = (besideEnd ? end * end : far) + noEnd;
             const Doubles bySide = (besideSide ? side * side : far) + noSide;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "matched_filter/body_profile.h"
 #include "matched_filter/corner_check.h"
 #include "matched_filter/densest_corner.h"
 #include "types/box_changes.h"
@@ -139,6 +140,28 @@ Matrix5d doubtOf(const FoundFaces& faces, double share, bool isBody, const Error
     return covariance;
 }
 
+// How far hits lie before the side of a car, where a sensor that looks down on its roof sees
+// nothing else of it: such a side may be a row of hits along bonnet or boot. RMS over all hits, m.
+double reachBeforeSide(const Hits& hits, const OrientedBox& box, FaceSet seen)
+{
+    constexpr double kRoof = 0.1;     // share of the hits that tells so
+    constexpr double kBefore = 0.25;  // m: mirrors are as well
+    const bool isSideAlone = seen.seesSide() && !seen.seesEnd();
+    if (!isSideAlone || !areOfCar(hits.heights) || hits.height.empty()) return 0.0;
+    const Eigen::Vector2d outwards =
+        (seen.has(Face::Left) ? 1.0 : -1.0) * rotation(box.heading).col(1);
+    double squares = 0.0;
+    double onRoof = 0.0;
+    for (std::size_t i = 0; i < hits.size(); ++i)
+    {
+        const double before =
+            outwards.dot(Eigen::Vector2d(hits.x[i], hits.y[i]) - box.centre()) - 0.5 * box.width;
+        if (before > kBefore) squares += hits.weight[i] * before * before;
+        if (hits.height[i] > kCarRoof) onRoof += hits.weight[i];
+    }
+    return onRoof < kRoof * hits.totalWeight ? 0.0 : std::sqrt(squares / hits.totalWeight);
+}
+
 // All that was tried, with the shares of the hits on the faces.
 class TriedFaces
 {
@@ -171,8 +194,13 @@ public:
             const Vector5d off = difference(result.fit.box, tried.faces.fit.box);
             result.fit.covariance += odds / (1.0 + odds) * off * off.transpose();
         }
-        result.fit.covariance += doubtOf(result, tried_[best_].share, options_.bodyDepth > 0.0,
-                                         options_.parameters.errors);
+        const Tried& taken = tried_[best_];
+        result.fit.covariance +=
+            doubtOf(result, taken.share, options_.bodyDepth > 0.0, options_.parameters.errors);
+        const double reach = reachBeforeSide(hits_, taken.onHits, result.seen);
+        const Vector5d side = reach * byFace(rotation(result.fit.box.heading), 1,
+                                             result.seen.has(Face::Left) ? 1 : 0);
+        result.fit.covariance += side * side.transpose();
         return result;
     }
 

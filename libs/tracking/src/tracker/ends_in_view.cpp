@@ -2,7 +2,9 @@
 #include "tracker/ends_in_view.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <vector>
 
@@ -72,6 +74,47 @@ PastEnd viewPast(const Eigen::Vector2d& place, const std::vector<double>& slopes
     return height > kCab ? PastEnd::Upper : PastEnd::Open;
 }
 
+// Ends of a car's side near which it has hits on its windows alone: bonnet and boot go on there,
+// and are out of view, as below the lowest rays of a sensor close beside it.
+FaceSet windowEnds(const Sighting& sighting, const SegmentedFrame& frame)
+{
+    constexpr double kBonnet = 1.0;    // m above the ground, the highest ones
+    constexpr double kLowest = 1.2;    // m: what is lower has no windows
+    constexpr double kNear = 1.0;      // m before an end of the row ...
+    constexpr double kPast = 0.1;      // ... and past it
+    constexpr double kInFront = 0.25;  // m, of the side
+    constexpr double kBehind = 0.45;   // m
+    const Measurement& m = sighting.measurement;
+    FaceSet ends;
+    const bool isCar = sighting.height > kLowest && sighting.height < kLowestSeenOver;
+    if (!isCar || frame.planar || !m.facesSeen.seesSide()) return ends;
+    const double outwards = m.facesSeen.has(Face::Left) ? 1.0 : -1.0;
+    const Eigen::Matrix2d toBox = rotation(m.box.heading).transpose();
+    std::array<std::size_t, 2> hits{};
+    std::array<bool, 2> areLow{};
+    for (const std::size_t k : sighting.clusters)
+    {
+        const Cluster& cluster = frame.clusters[k];
+        for (std::size_t i = 0; i < cluster.size(); ++i)
+        {
+            const Eigen::Vector2d hit(cluster.x[i], cluster.y[i]);
+            const Eigen::Vector2d at = toBox * (hit - m.box.centre());
+            const double past = std::abs(at.x()) - 0.5 * m.box.length;
+            const double before = outwards * at.y() - 0.5 * m.box.width;
+            if (past < -kNear || past > kPast || before > kInFront || before < -kBehind) continue;
+            const std::size_t end = at.x() > 0.0 ? 1 : 0;
+            ++hits[end];
+            areLow[end] = areLow[end] || cluster.height[i] < kBonnet;
+        }
+    }
+    for (std::size_t end = 0; end < 2; ++end)
+    {
+        const Face face = kFaceAt[0][end];
+        if (hits[end] >= kInRow && !areLow[end] && !m.facesSeen.has(face)) ends.add(face);
+    }
+    return ends;
+}
+
 // How far inside of the box foretold a face measured lies beside the hits, and how far that box may
 // err there, its heading aside, which edges taken for faces have made uncertain.
 struct Inside
@@ -105,7 +148,7 @@ Measurement withEndsOutOfView(const Sighting& sighting, const SegmentedFrame& fr
     m.shadowEdges = shadowEdges(m.box, m.facesSeen, frame.sensor, frame.profile);
     const FaceSet blocked = blockedEnds(m.box, m.facesSeen, frame.sensor, frame.profile);
     const FaceSet grazed = grazedEnds(m.box, m.facesSeen, frame.sensor);
-    m.hiddenEnds = blocked | grazed;
+    m.hiddenEnds = blocked | grazed | windowEnds(sighting, frame);
     if (sighting.height < kLowestSeenOver || blocked.empty()) return m;
     const bool isTruck = sighting.height >= kLowestTruck;
     // Of a van no more than its length: beside its windscreen its sides recede.

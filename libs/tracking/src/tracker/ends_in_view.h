@@ -7,7 +7,8 @@
 
 namespace vdamf
 {
-/// The measurement with the ends whose place the frame does not show (estimation/occlusion.h).
+/// The measurement with the ends whose place the frame does not show (estimation/occlusion.h), and
+/// with those of a car's windows where they are all that shows of its side.
 ///
 /// Trucks and buses (from 2.2 m) are seen over what is lower than they are. Where nothing is in the
 /// way of the rays past an end from the highest row of hits there down to the height of cabs, and
