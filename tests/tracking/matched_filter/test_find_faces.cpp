@@ -114,7 +114,7 @@ TEST(ShareOnNearFaces, HasNoRoofOfACarOnItsSide)
     EXPECT_NEAR(shareOnNearFaces(hits, kCar, kSensor, 0.06), 1.0, 1e-9) << "of a truck";
 }
 
-// Rows of hits along bonnet and roof, and so many on the side of a car to the left of the sensor.
+// Of a car to the left: rows of hits along its bonnet and its roof, and few on its side.
 Hits fromAbove(double roofHeight)
 {
     Hits hits;

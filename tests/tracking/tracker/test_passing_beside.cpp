@@ -70,9 +70,9 @@ TEST_P(PassingBeside, KeepsHeadingPlaceAndSpeed)
 
 INSTANTIATE_TEST_SUITE_P(
     Cars, PassingBeside,
-    testing::Values(Passing{"oncoming_10_Hz", 10, 40.0, 1.75, 180, 6.0, 0.7, 1.8},
-                    Passing{"oncoming_20_Hz", 20, 40.0, 1.75, 180, 6.0, 0.7, 1.8},
-                    Passing{"passed_10_Hz", 10, 22.0, 1.25, 0, 2.0, 0.7, 1.8},
+    testing::Values(Passing{"oncoming_10_Hz", 10, 40.0, 1.75, 180, 6.0, 0.5, 1.2},
+                    Passing{"oncoming_20_Hz", 20, 40.0, 1.75, 180, 6.0, 0.5, 1.2},
+                    Passing{"passed_10_Hz", 10, 22.0, 1.25, 0, 2.0, 0.5, 1.2},
                     Passing{"passed_20_Hz", 20, 22.0, 1.25, 0, 2.0, 0.7, 1.8}),
     [](const auto& test) { return std::string(test.param.name); });
 
