@@ -134,6 +134,11 @@ bool areOfCar(std::uint64_t heights)
     return !areUnknown(heights) && !isTall(heights);
 }
 
+bool isCarWithHeights(const Hits& hits)
+{
+    return areOfCar(hits.heights) && !hits.height.empty();
+}
+
 BodyProfile bodyProfile(Face face, std::uint64_t heights, const HullParameters& hull)
 {
     BodyProfile profile = profileOf(face, isTall(heights), hull);

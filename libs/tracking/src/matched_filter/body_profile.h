@@ -6,6 +6,7 @@
 
 #include "vdamf/tracking/matched_filter/filter_parameters.h"
 #include "vdamf/tracking/types/faces.h"
+#include "vdamf/tracking/types/hits.h"
 
 namespace vdamf
 {
@@ -24,6 +25,9 @@ constexpr double kCarRoof = 1.38;  ///< of cars: roofs begin, m above the ground
 /// Whether hits at such heights (as in Hits) are of a car, which nothing taller is; not where they
 /// are unknown.
 bool areOfCar(std::uint64_t heights);
+
+/// The same of `hits`, and each of them has its height: those above kCarRoof can be told apart.
+bool isCarWithHeights(const Hits& hits);
 
 /// `heights` as in Hits. By Monte Carlo on the simulated cars, vans and trucks: cars' ends reach
 /// their full length at bumper height alone, bonnets and boot lids lie up to a metre behind it;

@@ -232,7 +232,7 @@ double shareOnNearFaces(const Hits& hits, const OrientedBox& box, const Eigen::V
     const double noEnd = signX * view.x() > 0.5 * box.length ? 0.0 : kFar;
     const double noSide = signY * view.y() > 0.5 * box.width ? 0.0 : kFar;
     // Without heights any number stands for them.
-    const bool hasRoof = areOfCar(hits.heights) && !hits.height.empty();
+    const bool hasRoof = isCarWithHeights(hits);
     const double* const heights = hasRoof ? hits.height.data() : hits.weight.data();
     const double roof = hasRoof ? kCarRoof : kFar;
     double share = 0.0;

@@ -147,7 +147,7 @@ double reachBeforeSide(const Hits& hits, const OrientedBox& box, FaceSet seen)
     constexpr double kRoof = 0.1;     // share of the hits that tells so
     constexpr double kBefore = 0.25;  // m: mirrors are as well
     const bool isSideAlone = seen.seesSide() && !seen.seesEnd();
-    if (!isSideAlone || !areOfCar(hits.heights) || hits.height.empty()) return 0.0;
+    if (!isSideAlone || !isCarWithHeights(hits)) return 0.0;
     const Eigen::Vector2d outwards =
         (seen.has(Face::Left) ? 1.0 : -1.0) * rotation(box.heading).col(1);
     double squares = 0.0;

@@ -78,7 +78,7 @@ NearFaces nearFaces(const Hits& hits, const OrientedBox& box, FaceSet seen,
     end.noise = o.rangeNoise * std::abs(view.x());
     side.noise = o.rangeNoise * std::abs(view.y());
     upper = side;
-    const bool hasBelt = areOfCar(hits.heights) && !hits.height.empty();
+    const bool hasBelt = isCarWithHeights(hits);
     const std::size_t blocks = hits.size() / FaceHits::Block::kHits + 1;
     if (seen.seesEnd()) end.hits.blocks.reserve(blocks);
     if (seen.seesSide()) side.hits.blocks.reserve(blocks);

@@ -78,12 +78,10 @@ PastEnd viewPast(const Eigen::Vector2d& place, const std::vector<double>& slopes
 // and are out of view, as below the lowest rays of a sensor close beside it.
 FaceSet windowEnds(const Sighting& sighting, const SegmentedFrame& frame)
 {
-    constexpr double kBonnet = 1.0;    // m above the ground, the highest ones
-    constexpr double kLowest = 1.2;    // m: what is lower has no windows
-    constexpr double kNear = 1.0;      // m before an end of the row ...
-    constexpr double kPast = 0.1;      // ... and past it
-    constexpr double kInFront = 0.25;  // m, of the side
-    constexpr double kBehind = 0.45;   // m
+    constexpr double kBonnet = 1.0;  // m above the ground, the highest ones
+    constexpr double kLowest = 1.2;  // m: what is lower has no windows
+    constexpr double kNear = 1.0;    // m before an end of the row ...
+    constexpr double kPast = 0.1;    // ... and past it
     const Measurement& m = sighting.measurement;
     FaceSet ends;
     const bool isCar = sighting.height > kLowest && sighting.height < kLowestSeenOver;
@@ -101,7 +99,8 @@ FaceSet windowEnds(const Sighting& sighting, const SegmentedFrame& frame)
             const Eigen::Vector2d at = toBox * (hit - m.box.centre());
             const double past = std::abs(at.x()) - 0.5 * m.box.length;
             const double before = outwards * at.y() - 0.5 * m.box.width;
-            if (past < -kNear || past > kPast || before > kInFront || before < -kBehind) continue;
+            if (past < -kNear || past > kPast) continue;
+            if (before > kInFrontOfFace || before < -kBehindFace) continue;
             const std::size_t end = at.x() > 0.0 ? 1 : 0;
             ++hits[end];
             areLow[end] = areLow[end] || cluster.height[i] < kBonnet;

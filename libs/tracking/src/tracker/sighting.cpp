@@ -151,8 +151,6 @@ OrientedBox rectangleAround(const Hits& hits, double heading)
 FaceRow rowAlongFace(const Hits& hits, const OrientedBox& box, const Eigen::Vector2d& sensor,
                      int axis)
 {
-    constexpr double kInFront = 0.25;  // m, of the face
-    constexpr double kBehind = 0.45;   // m: where it is round
     const Eigen::Matrix2d axes = rotation(box.heading);
     const Eigen::Vector2d outwards =
         std::copysign(1.0, toBoxFrame(box, sensor)(axis)) * axes.col(axis);
@@ -167,7 +165,7 @@ FaceRow rowAlongFace(const Hits& hits, const OrientedBox& box, const Eigen::Vect
         const double behind = half - (outwards.x() * dx + outwards.y() * dy);
         // Written always, counted when taken: whether it is, is hard to foretell.
         places[taken] = {along.x() * dx + along.y() * dy, hits.weight[i]};
-        taken += ((behind > -kInFront) & (behind < kBehind)) ? 1 : 0;
+        taken += ((behind > -kInFrontOfFace) & (behind < kBehindFace)) ? 1 : 0;
     }
     places.resize(taken);
     if (hasNoGap(places)) return rowOf(places.begin(), places.end());

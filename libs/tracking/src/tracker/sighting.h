@@ -48,6 +48,10 @@ struct HitsAtOneTime
     bool areParts = false;  ///< hit at both ends of a revolution
 };
 
+/// Hits in a row along a face lie so far before and behind it, where it is round, m.
+constexpr double kInFrontOfFace = 0.25;
+constexpr double kBehindFace = 0.45;
+
 /// Hits that go on along a face without a wide gap.
 struct FaceRow
 {
