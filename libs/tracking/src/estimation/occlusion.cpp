@@ -47,13 +47,15 @@ FaceSet blockedEnds(const OrientedBox& box, FaceSet seen, const Eigen::Vector2d&
                      });
 }
 
-FaceSet grazedEnds(const OrientedBox& box, FaceSet seen, const Eigen::Vector2d& sensor)
+FaceSet grazedEnds(const OrientedBox& box, FaceSet seen, const Eigen::Vector2d& sensor,
+                   double headingSigma)
 {
     return endsWhere(box, seen, sensor,
                      [&](const Eigen::Vector2d& ray, int axis)
                      {
-                         const double across =
-                             std::abs(ray.dot(rotation(box.heading).col(1 - axis)));
+                         const Eigen::Vector2d inBox = rotation(-box.heading) * ray;
+                         const double across = std::abs(inBox(1 - axis)) -
+                                               headingSigma * std::abs(inBox(axis));
                          return kBeamStep * ray.squaredNorm() > kWidestStep * across;
                      });
 }

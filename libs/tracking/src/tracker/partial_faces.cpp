@@ -127,7 +127,9 @@ Measurement withinRowOfSide(const Sighting& sighting, const SegmentedFrame& fram
     within.x += shift.x();
     within.y += shift.y();
     within.length -= beyond;
-    const bool isGrazed = grazedEnds(within, m.facesSeen, sighting.sensor).has(farEnd);
+    const double headingSigma = std::sqrt(m.covariance(2, 2));
+    const bool isGrazed =
+        grazedEnds(within, m.facesSeen, sighting.sensor, headingSigma).has(farEnd);
     m.upperEnds.remove(farEnd);
     if (isGrazed || !isOpenPast(within, far > 0.0 ? 1 : 0, sighting.sensor, frame.profile))
         m.hiddenEnds.add(farEnd);
