@@ -274,8 +274,10 @@ Track sightedTrack(Track track, const Sighting& seen, const Neighbourhood& aroun
     track =
         grownToAVehicle(std::move(track), m, std::max(track.height, sighting.height), visibility);
     const VehicleState then = foretoldAt(sighting.lag, track, options.motion);
-    const BoxMeasurement box = boxOf(sighting, withUnlikelyTurn(m, then, sighting.around.centre()),
-                                     track, then, visibility);
+    const Eigen::Vector2d hits = sighting.around.centre();
+    const BoxMeasurement box =
+        boxOf(sighting, withUnlikelyTurn(withUntoldHeading(m, hits), then, hits), track, then,
+              visibility);
     track = openToGrowth(std::move(track), m, sighting.lag, options);
     track = updatedBy(box, std::move(track), then, sighting.time - track.lastSeen, filter, options);
     track = goingOnOutOfSight(std::move(track), sighting, m, then, visibility);
