@@ -82,8 +82,8 @@ double frontEvidence(double forth, double fast)
 double axesEvidence(const HeadingCues& cues)
 {
     double sum = 0.0;
-    if (cues.end) sum += endOverSide(*cues.end, cues.height);
-    if (cues.side) sum -= endOverSide(*cues.side, cues.height);
+    if (cues.end) sum += endOverSide(*cues.end, cues.height, cues.isHeightSeen);
+    if (cues.side) sum -= endOverSide(*cues.side, cues.height, cues.isHeightSeen);
     // Hits that are not the vehicle's may make any face long.
     constexpr double kSure = 4.0;
     return std::clamp(sum, -kSure, kSure);

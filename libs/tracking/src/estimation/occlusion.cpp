@@ -54,8 +54,8 @@ FaceSet grazedEnds(const OrientedBox& box, FaceSet seen, const Eigen::Vector2d& 
                      [&](const Eigen::Vector2d& ray, int axis)
                      {
                          const Eigen::Vector2d inBox = rotation(-box.heading) * ray;
-                         const double across = std::abs(inBox(1 - axis)) -
-                                               headingSigma * std::abs(inBox(axis));
+                         const double across =
+                             std::abs(inBox(1 - axis)) - headingSigma * std::abs(inBox(axis));
                          return kBeamStep * ray.squaredNorm() > kWidestStep * across;
                      });
 }

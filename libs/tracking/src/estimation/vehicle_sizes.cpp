@@ -9,16 +9,18 @@ namespace vdamf
 namespace
 {
 // Share of vans to buses of what is as low as cars are, of what is higher, and between: rows of a
-// LADAR lie half a metre apart where it is far, so that roofs seem lower.
+// LADAR lie half a metre apart where it is far, so that roofs seem lower. Trailers are low indeed.
 constexpr double kLow = 1.7;   // m
 constexpr double kHigh = 2.3;  // m
 constexpr double kLargeIfLow = 0.15;
+constexpr double kLargeIfSeenLow = 0.02;
 constexpr double kLargeIfHigh = 0.7;
 
-double shareOfLarge(double height)
+double shareOfLarge(double height, bool isHeightSeen)
 {
+    const double low = isHeightSeen ? kLargeIfSeenLow : kLargeIfLow;
     const double high = std::clamp((height - kLow) / (kHigh - kLow), 0.0, 1.0);
-    return kLargeIfLow + high * (kLargeIfHigh - kLargeIfLow);
+    return low + high * (kLargeIfHigh - low);
 }
 
 // Of faces of anything else, per metre.
@@ -62,9 +64,9 @@ double density(const FaceExtent& seen, const Sizes& sizes)
 }
 }  // namespace
 
-double endOverSide(const FaceExtent& face, double height)
+double endOverSide(const FaceExtent& face, double height, bool isHeightSeen)
 {
-    const double large = shareOfLarge(height);
+    const double large = shareOfLarge(height, isHeightSeen);
     const double end =
         (1.0 - large) * density(face, kCarWidth) + large * density(face, kLargeWidth);
     const double side =

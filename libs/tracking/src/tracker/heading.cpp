@@ -189,6 +189,7 @@ HeadingCues sizeCues(const Sighting& sighting, const Measurement& m, double heig
     constexpr double kFewHits = 30.0;
     // What lies beside or close behind an end seems to hide more of it.
     constexpr double kStillWhole = 0.25;
+    constexpr double kRoof = 0.2;  // m: roofs are bent
     // Rows along faces that may as well lie otherwise tell nothing.
     constexpr double kVague = 0.2;  // rad
     const auto extentOf = [](const FaceRow& row, bool isWhole)
@@ -198,6 +199,7 @@ HeadingCues sizeCues(const Sighting& sighting, const Measurement& m, double heig
     };
     HeadingCues cues;
     cues.height = height;
+    cues.isHeightSeen = sighting.isRoofSeen && sighting.height > height - kRoof;
     if (m.covariance(2, 2) > kVague * kVague) return cues;
     if (m.facesSeen.seesSide()) cues.side = extentOf(sighting.side, locatesLength(m));
     if (m.facesSeen.seesEnd()) cues.end = extentOf(sighting.end, locatesWidth(m));

@@ -51,11 +51,12 @@ double groundSum(const Cluster& cluster)
     return over + static_cast<double>(base) * static_cast<double>(cluster.size() - rest);
 }
 
+constexpr double kMostOver = 0.2;  // m
+
 // Half of what lies between the two highest rows of hits (as in Hits::heights), m: the next one
 // above them passed over it. Cars far away have few rows, and are not as high as the next one.
 double likelyOver(std::uint64_t heights)
 {
-    constexpr double kMost = 0.2;
     constexpr double kHalf = 0.05;  // of what a bit stands for
     int gap = 0;
     for (; heights > 1; heights >>= 1U)
@@ -63,7 +64,7 @@ double likelyOver(std::uint64_t heights)
         const bool isHit = (heights & 1U) != 0;
         gap = isHit ? 1 : gap + 1;
     }
-    return std::min(kMost, kHalf * gap);
+    return std::min(kMostOver, kHalf * gap);
 }
 
 using RowHit = std::pair<double, double>;  // along, weight
@@ -221,6 +222,9 @@ Sighting sightingOf(const SegmentedFrame& frame, const std::vector<std::size_t>&
     }
     s.overHits = likelyOver(seen.hits->heights);
     s.groundZ = count > 0.0 ? ground / count : 0.0;
+    // Every sensor has level rays.
+    const bool isBelowSensor = s.groundZ + s.height + 2.0 * s.overHits < frame.sensorZ;
+    s.isRoofSeen = isBelowSensor && s.overHits < kMostOver && !frame.planar;
     m = withEndsOutOfView(s, frame);
     s.around = rectangleAround(*seen.hits, m.box.heading);
     s.end = rowAlongFace(*seen.hits, m.box, sensor, 0);

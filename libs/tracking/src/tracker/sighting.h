@@ -72,11 +72,12 @@ struct Sighting
     /// Of the hits that lie on a face seen, all but the two highest, above the ground, m; 0 where
     /// heights are not known. Trees over a car have none there.
     double faceHeight = 0.0;
-    FaceRow side, end;      ///< of the faces towards the sensor
-    double groundZ = 0.0;   ///< local ground, m
-    double height = 0.0;    ///< of the highest hit above it, m
-    double overHits = 0.0;  ///< what is likely to be above that, between two rows of hits, m
-    bool areParts = false;  ///< hit at both ends of a revolution
+    FaceRow side, end;        ///< of the faces towards the sensor
+    double groundZ = 0.0;     ///< local ground, m
+    double height = 0.0;      ///< of the highest hit above it, m
+    double overHits = 0.0;    ///< what is likely to be above that, between two rows of hits, m
+    bool isRoofSeen = false;  ///< rays pass closely over the highest hit
+    bool areParts = false;    ///< hit at both ends of a revolution
     /// Log odds, by the shape, that the front lies where the measurement's heading points.
     double front = 0.0;
     bool isBusEnd = false;  ///< the end seen is closed as a bus's is

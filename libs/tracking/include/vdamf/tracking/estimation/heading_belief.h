@@ -33,6 +33,7 @@ struct HeadingCues
     std::optional<FaceExtent> side;  ///< seen, of the box as it is held
     std::optional<FaceExtent> end;   ///< seen, of the box as it is held
     double height = 1.5;             ///< of the vehicle, m
+    bool isHeightSeen = false;       ///< it is no higher
     double shape = 0.0;              ///< log odds for the front held, by the vehicle's shape
     double neighbours = 0.0;         ///< log odds for the axes held, by the vehicles around it
     double inLine = 0.0;  ///< log odds for the front held, by the vehicles before and behind it

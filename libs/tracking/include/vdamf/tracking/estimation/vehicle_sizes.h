@@ -12,7 +12,8 @@ struct FaceExtent
 };
 
 /// Log odds that a face is a vehicle's end rather than its side, by the widths and lengths that
-/// vehicles of that height (m) have.
-double endOverSide(const FaceExtent& face, double height);
+/// vehicles of that height (m) have. `isHeightSeen`: it is no higher; else rows of a LADAR may have
+/// missed its roof.
+double endOverSide(const FaceExtent& face, double height, bool isHeightSeen = false);
 
 }  // namespace vdamf
