@@ -288,5 +288,13 @@ TEST(VehicleSizes, TellEndsFromSides)
     EXPECT_LT(endOverSide({3.5, 0.0}, 1.5), -2.0);
 }
 
+TEST(VehicleSizes, OfWhatIsSeenToBeLowAreNoTrucks)
+{
+    // A car of 2.96 m, as wide as a truck is.
+    EXPECT_GT(endOverSide({2.96, 0.9}, 1.55), 0.0) << "rays may have missed its roof";
+    EXPECT_LT(endOverSide({2.96, 0.9}, 1.55, true), -1.0);
+    EXPECT_NEAR(endOverSide({2.5, 0.9}, 2.6, true), endOverSide({2.5, 0.9}, 2.6), 1e-12);
+}
+
 }  // namespace
 }  // namespace vdamf

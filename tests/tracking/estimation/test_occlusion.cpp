@@ -79,7 +79,15 @@ TEST(HiddenEnds, ANearerObjectBesideAnEndHidesIt)
 TEST(HiddenEnds, GrazingRaysDoNotTellAnEnd)
 {
     const Eigen::Vector2d along(-8.0, 1.0);  // almost in line with the wall
-    EXPECT_TRUE(grazedEnds(kWall, leftSide(), along).has(Face::Front));
+    EXPECT_TRUE(grazedEnds(kWall, leftSide(), along, 0.0).has(Face::Front));
+}
+
+TEST(HiddenEnds, RaysThatMayGrazeDoNotTellAnEndEither)
+{
+    const Eigen::Vector2d oblique(-21.6, 6.0);  // rays past the front meet the wall at 11 deg
+    EXPECT_TRUE(grazedEnds(kWall, leftSide(), oblique, 0.0).empty());
+    EXPECT_TRUE(grazedEnds(kWall, leftSide(), oblique, 0.01).empty());
+    EXPECT_EQ(toString(grazedEnds(kWall, leftSide(), oblique, 0.08)), "F");
 }
 
 TEST(HiddenEnds, OfACarLeaveTheOtherEndAsTheFixedPoint)

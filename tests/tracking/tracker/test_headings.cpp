@@ -63,6 +63,34 @@ TEST(Headings, RowsAlongAnUnknownHeadingTellNoSizes)
     }
 }
 
+TEST(Headings, RowsLongerThanAnyEndTellSoWhereTheFitSeesNone)
+{
+    Sighting sighting;
+    sighting.measurement.facesSeen.add(Face::Left);
+    sighting.measurement.covariance = Matrix5d::Identity() * 1e-3;
+    sighting.side = {1.75, 60.0, 0.0};
+    sighting.end = {4.0, 15.0, 0.0};
+    const HeadingCues cues = sizeCues(sighting, sighting.measurement, 1.5);
+    ASSERT_TRUE(cues.end);
+    EXPECT_LT(axesEvidence(cues), -3.0);
+    for (const FaceRow& row : {FaceRow{2.5, 15.0, 0.0}, FaceRow{4.0, 6.0, 0.0}})
+    {
+        sighting.end = row;
+        EXPECT_FALSE(sizeCues(sighting, sighting.measurement, 1.5).end) << row.metres;
+    }
+}
+
+TEST(Headings, OnlyARoofThatIsSeenTellsThatAllOfAVehicleIsLow)
+{
+    Sighting sighting;
+    sighting.isRoofSeen = true;
+    sighting.height = 1.5;
+    EXPECT_TRUE(sizeCues(sighting, sighting.measurement, 1.5).isHeightSeen);
+    EXPECT_FALSE(sizeCues(sighting, sighting.measurement, 2.4).isHeightSeen) << "it was higher";
+    sighting.isRoofSeen = false;
+    EXPECT_FALSE(sizeCues(sighting, sighting.measurement, 1.5).isHeightSeen);
+}
+
 // The left side that a sighting shows was found to be the edge of a shadow.
 TEST(Headings, FacesThatWereRuledOutTellNoSizes)
 {

@@ -47,7 +47,7 @@ std::optional<FaceExtent> longerOf(const std::optional<FaceExtent>& before,
                                    const std::optional<FaceExtent>& now, double dt)
 {
     constexpr double kForgotten = 0.3;  // m/s: rows may have been too long for once
-    if (!before) return now;
+    if (!before || (now && now->isCut)) return now;
     FaceExtent kept = *before;
     kept.metres -= kForgotten * dt;
     return now && now->metres >= kept.metres ? now : kept;

@@ -189,20 +189,26 @@ HeadingCues sizeCues(const Sighting& sighting, const Measurement& m, double heig
     constexpr double kFewHits = 30.0;
     // What lies beside or close behind an end seems to hide more of it.
     constexpr double kStillWhole = 0.25;
+    // What is longer is no end, even where the fit sees none there.
+    constexpr double kNoEnd = 3.0;  // m
+    constexpr double kSomeHits = 10.0;
     constexpr double kRoof = 0.2;  // m: roofs are bent
     // Rows along faces that may as well lie otherwise tell nothing.
     constexpr double kVague = 0.2;  // rad
-    const auto extentOf = [](const FaceRow& row, bool isWhole)
+    const auto extentOf = [&](const FaceRow& row, bool isWhole)
     {
         return FaceExtent{row.metres,
-                          (isWhole ? 1.0 : kStillWhole) * row.hits / (row.hits + kFewHits)};
+                          (isWhole ? 1.0 : kStillWhole) * row.hits / (row.hits + kFewHits),
+                          sighting.isCut};
     };
     HeadingCues cues;
     cues.height = height;
     cues.isHeightSeen = sighting.isRoofSeen && sighting.height > height - kRoof;
     if (m.covariance(2, 2) > kVague * kVague) return cues;
     if (m.facesSeen.seesSide()) cues.side = extentOf(sighting.side, locatesLength(m));
-    if (m.facesSeen.seesEnd()) cues.end = extentOf(sighting.end, locatesWidth(m));
+    const bool isNoEnd = sighting.end.metres > kNoEnd && sighting.end.hits > kSomeHits;
+    if (m.facesSeen.seesEnd() || isNoEnd)
+        cues.end = extentOf(sighting.end, m.facesSeen.seesEnd() && locatesWidth(m));
     return cues;
 }
 

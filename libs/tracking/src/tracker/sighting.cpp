@@ -15,6 +15,7 @@
 #include "tracker/layers_of_side.h"
 #include "tracker/near_end.h"
 #include "tracker/partial_faces.h"
+#include "tracker/rough_ends.h"
 #include "types/hit_bounds.h"
 #include "types/lanes.h"
 #include "types/wide_lanes.h"
@@ -209,6 +210,7 @@ Sighting sightingOf(const SegmentedFrame& frame, const std::vector<std::size_t>&
     s.lag = seen.lag;
     s.clusters = clusters;
     s.areParts = seen.areParts;
+    s.isCut = seen.isCut;
     s.measurement = measureTarget(*seen.hits, sensor, start, options, knownLengthWidth, effort);
     Measurement& m = s.measurement;
     double ground = 0.0;
@@ -229,6 +231,9 @@ Sighting sightingOf(const SegmentedFrame& frame, const std::vector<std::size_t>&
     s.around = rectangleAround(*seen.hits, m.box.heading);
     s.end = rowAlongFace(*seen.hits, m.box, sensor, 0);
     s.side = rowAlongFace(*seen.hits, m.box, sensor, 1);
+    if (!seen.goesOn && !seen.isCut)
+        if (const auto smooth = withoutRoughEnd(s, seen, options.mergeCell, frame.planar))
+            return sightingOf(frame, clusters, *smooth, start, knownLengthWidth, options, effort);
     m = withNearEndOfRow(s);
     m = withinRowOfSide(s, frame);
     if (seen.goesOn) m = goingOnTowards(m, *seen.goesOn);

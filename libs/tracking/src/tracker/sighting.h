@@ -46,6 +46,7 @@ struct HitsAtOneTime
     /// together, rad.
     double turnSigma = 0.0;
     bool areParts = false;  ///< hit at both ends of a revolution
+    bool isCut = false;     ///< what went on past an end of a face is left out
 };
 
 /// Hits in a row along a face lie so far before and behind it, where it is round, m.
@@ -78,6 +79,7 @@ struct Sighting
     double overHits = 0.0;    ///< what is likely to be above that, between two rows of hits, m
     bool isRoofSeen = false;  ///< rays pass closely over the highest hit
     bool areParts = false;    ///< hit at both ends of a revolution
+    bool isCut = false;       ///< as of its hits
     /// Log odds, by the shape, that the front lies where the measurement's heading points.
     double front = 0.0;
     bool isBusEnd = false;  ///< the end seen is closed as a bus's is

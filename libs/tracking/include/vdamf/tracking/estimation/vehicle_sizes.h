@@ -9,6 +9,8 @@ struct FaceExtent
 {
     double metres = 0.0;
     double whole = 0.0;  ///< probability that no more of the face is there
+    /// What was beside it is left out: longer ones before may have held it.
+    bool isCut = false;
 };
 
 /// Log odds that a face is a vehicle's end rather than its side, by the widths and lengths that
