@@ -11,6 +11,7 @@
 #include "regression/bounds.h"
 #include "regression/comparison.h"
 #include "regression/run.h"
+#include "regression/scene_settings.h"
 #include "regression/seeds.h"
 #include "regression/starts.h"
 #include "regression/tables.h"
@@ -33,6 +34,7 @@ struct Cli
     std::string compare;
     std::vector<std::string> only;
     std::vector<std::string> set;
+    std::vector<std::string> scene;
     unsigned jobs = std::max(1U, std::thread::hardware_concurrency());
     int seeds = 0;
     int starts = 0;
@@ -60,6 +62,10 @@ void declare(CLI::App& app, Cli& cli)
     app.add_option("--compare", cli.compare, "an earlier regression.csv: print what changed")
         ->check(CLI::ExistingFile);
     app.add_option("--set", cli.set, "section.key=value for vdamf-track (repeatable)")
+        ->allow_extra_args(false);
+    app.add_option("--scene", cli.scene,
+                   "section.key=value for vdamf-simulate (repeatable), as sensor.model=HDL-64E: "
+                   "simulated scenarios alone, without bounds")
         ->allow_extra_args(false);
     app.add_option("-c,--config", cli.config, "configuration of vdamf-track; default: config.ini")
         ->check(CLI::ExistingFile);
@@ -140,10 +146,11 @@ Plan planOf(const Cli& cli)
         vdamf::catalogueOf(fs::path(cli.source) / "datasets", cli.data);
     Plan plan;
     plan.scenarios = vdamf::chosenFrom(catalogue, cli.only, cli.fast);
+    if (!cli.scene.empty()) plan.scenarios = vdamf::withSceneSettings(plan.scenarios, cli.scene);
     if (cli.seeds > 0) plan.scenarios = vdamf::withSeeds(plan.scenarios, cli.seeds);
     if (cli.starts > 0) plan.scenarios = vdamf::withStarts(plan.scenarios, cli.starts);
-    if (!cli.fast && cli.only.empty()) plan.notes = catalogue.notes;
-    if (cli.tracker.empty()) plan.bounds = vdamf::readBounds(cli.bounds);
+    if (!cli.fast && cli.only.empty() && cli.scene.empty()) plan.notes = catalogue.notes;
+    if (cli.tracker.empty() && cli.scene.empty()) plan.bounds = vdamf::readBounds(cli.bounds);
     // Before the run: it may be the table that is about to be replaced.
     if (!cli.compare.empty()) plan.before = vdamf::readRegressionTable(cli.compare);
     return plan;
