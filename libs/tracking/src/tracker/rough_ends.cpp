@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "tracker/discriminate.h"
+
 namespace vdamf
 {
 namespace
@@ -126,6 +128,7 @@ std::optional<HitsAtOneTime> withoutRoughEnd(const Sighting& sighting, const Hit
                                              double mergeCell, bool planar)
 {
     const Measurement& m = sighting.measurement;
+    if (sighting.height > kLowestTruck) return std::nullopt;
     for (const int axis : {0, 1})
     {
         const FaceRow& row = axis == 0 ? sighting.end : sighting.side;
