@@ -54,23 +54,6 @@ TEST(UnlikelyTurn, OfWhatIsMeasuredWellOrHardlyKnownIsBelieved)
     EXPECT_EQ(turnedBack(near, heading(0.0, 0.02), kHitsAt).box.heading, -0.09) << "hardly turned";
 }
 
-TEST(UnlikelyTurn, OfWhatShowsNoFaceTellsNoHeading)
-{
-    const Measurement side = turnedAbout(-0.5, 0.2, Face::Left);
-    EXPECT_EQ(withUntoldHeading(side, kHitsAt).covariance, side.covariance);
-    Measurement faceless = side;
-    faceless.facesSeen = FaceSet();
-    const Measurement m = withUntoldHeading(faceless, kHitsAt);
-    EXPECT_GT(m.covariance(2, 2), 0.5);
-    // The hits stay where they are, whichever way it is turned about them.
-    Eigen::Matrix<double, 2, 5> ofHits = Eigen::Matrix<double, 2, 5>::Zero();
-    const Eigen::Vector2d lever = kHitsAt - m.box.centre();
-    ofHits.leftCols<2>().setIdentity();
-    ofHits.col(2) << -lever.y(), lever.x();
-    const Eigen::Matrix2d before = ofHits * faceless.covariance * ofHits.transpose();
-    EXPECT_LT((ofHits * m.covariance * ofHits.transpose() - before).norm(), 1e-9);
-}
-
 TEST(UnlikelyTurn, OfAnEndAloneLeavesItsHeadingOpen)
 {
     const Measurement end = turnedAbout(0.3, 0.02, Face::Back);

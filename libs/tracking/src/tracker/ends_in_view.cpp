@@ -146,7 +146,7 @@ Measurement withEndsOutOfView(const Sighting& sighting, const SegmentedFrame& fr
     Measurement m = sighting.measurement;
     m.shadowEdges = shadowEdges(m.box, m.facesSeen, frame.sensor, frame.profile);
     const FaceSet blocked = blockedEnds(m.box, m.facesSeen, frame.sensor, frame.profile);
-    const FaceSet grazed = grazedEnds(m.box, m.facesSeen, frame.sensor, std::sqrt(m.covariance(2, 2)));
+    const FaceSet grazed = grazedEnds(m.box, m.facesSeen, frame.sensor);
     m.hiddenEnds = blocked | grazed | windowEnds(sighting, frame);
     if (sighting.height < kLowestSeenOver || blocked.empty()) return m;
     const bool isTruck = sighting.height >= kLowestTruck;

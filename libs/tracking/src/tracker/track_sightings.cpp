@@ -252,9 +252,9 @@ Track sightedTrack(Track track, const Sighting& seen, const Neighbourhood& aroun
     const VisibilityOptions& visibility = options.visibility;
     const VehicleState foretold = stateAt(track.state, seen.lag, options.motion);
     constexpr double kHardly = 0.1;  // probability: what is no vehicle has no axes to be known
-    const bool mayBeVehicle = track.judgement.probability > kHardly;
     std::optional<Sighting> turned;
-    if (mayBeVehicle) turned = turnedToKnownAxes(seen, foretold, track.front.axesProbability());
+    if (track.judgement.probability > kHardly)
+        turned = turnedToKnownAxes(seen, foretold, track.front.axesProbability());
     const Sighting& sighting = turned ? *turned : seen;
     Measurement m = alignedWith(sighting.measurement, foretold.mean(kHeading));
     track = withShownHeading(std::move(track), m, sighting.sensor);
@@ -274,10 +274,8 @@ Track sightedTrack(Track track, const Sighting& seen, const Neighbourhood& aroun
     track =
         grownToAVehicle(std::move(track), m, std::max(track.height, sighting.height), visibility);
     const VehicleState then = foretoldAt(sighting.lag, track, options.motion);
-    const Eigen::Vector2d hits = sighting.around.centre();
-    const Measurement telling = mayBeVehicle ? withUntoldHeading(m, hits) : m;
-    const BoxMeasurement box =
-        boxOf(sighting, withUnlikelyTurn(telling, then, hits), track, then, visibility);
+    const BoxMeasurement box = boxOf(sighting, withUnlikelyTurn(m, then, sighting.around.centre()),
+                                     track, then, visibility);
     track = openToGrowth(std::move(track), m, sighting.lag, options);
     track = updatedBy(box, std::move(track), then, sighting.time - track.lastSeen, filter, options);
     track = goingOnOutOfSight(std::move(track), sighting, m, then, visibility);

@@ -31,12 +31,6 @@ std::optional<Sighting> turnedToKnownAxes(const Sighting& sighting, const Vehicl
     return next;
 }
 
-Measurement withUntoldHeading(const Measurement& measurement, const Eigen::Vector2d& hits)
-{
-    constexpr double kAny = 1.0;  // rad
-    return measurement.facesSeen.empty() ? withTurn(measurement, kAny, hits) : measurement;
-}
-
 Measurement withUnlikelyTurn(const Measurement& measurement, const VehicleState& foretold,
                              const Eigen::Vector2d& hits)
 {

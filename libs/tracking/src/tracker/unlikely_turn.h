@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Measurements that are turned farther than the vehicle is likely to be, or as it was foretold.
+// Measurements that are turned farther than the vehicle is likely to be.
 #pragma once
 
 #include <Eigen/Core>
@@ -17,11 +17,6 @@ namespace vdamf
 /// quarter. `axesProbability`: that length and width of what is foretold are not exchanged.
 std::optional<Sighting> turnedToKnownAxes(const Sighting& sighting, const VehicleState& foretold,
                                           double axesProbability);
-
-/// The measurement without a heading where it shows no face: a fit keeps about the heading that it
-/// starts with, which is the one foretold, and would confirm it frame after frame. `hits`: their
-/// middle, about which it may be turned, m.
-Measurement withUntoldHeading(const Measurement& measurement, const Eigen::Vector2d& hits);
 
 /// The measurement with its heading as uncertain as that makes it: of an end alone no row of hits
 /// tells the heading as well as a vehicle keeps its own, and what seems to turn more than both may

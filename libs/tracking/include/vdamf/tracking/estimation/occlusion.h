@@ -24,7 +24,7 @@ FaceSet blockedEnds(const OrientedBox& box, FaceSet seen, const Eigen::Vector2d&
 /// The same where that line meets the row at such a grazing angle that its hits lie too far apart
 /// to tell its end, or may do so, as the heading has an error of `headingSigma` (rad).
 FaceSet grazedEnds(const OrientedBox& box, FaceSet seen, const Eigen::Vector2d& sensor,
-                   double headingSigma);
+                   double headingSigma = 0.0);
 
 /// Of two faces seen, the one before which, beside their corner, something nearer is in the line of
 /// sight: its hits may be the edge of that shadow, across bonnet, windscreen and roof. Nothing
