@@ -13,19 +13,19 @@ namespace vdamf
 {
 namespace
 {
-constexpr double kBin = 0.25;       // m, along a face
-constexpr double kOnFace = 0.15;    // m: hits along a face lie so near to it
-constexpr double kBefore = 0.8;     // m: those about it ...
-constexpr double kBehind = 1.0;     // ... lie so far before and behind it
-constexpr double kShareOn = 0.35;   // of hits about a face, of those along it, where there is one
-constexpr double kShareOff = 0.35;  // and where there is none
+constexpr double kBinLength = 0.25;   // m, along a face
+constexpr double kAlongFace = 0.15;   // m: hits along a face lie so near to it
+constexpr double kAboutBefore = 0.8;  // m: those about it ...
+constexpr double kAboutBehind = 1.0;  // ... lie so far before and behind it
+constexpr double kShareOn = 0.35;     // of hits about a face, of those along it, where there is one
+constexpr double kShareOff = 0.35;    // and where there is none
 constexpr double kShareBefore = 0.2;
-constexpr double kShortest = 0.9;  // m, of a face
-constexpr double kLongest = 20.0;  // m, of a row
-constexpr double kRest = 0.5;      // m, past its end: corners are round
-constexpr std::size_t kFew = 6;    // hits there
+constexpr double kShortestFace = 0.9;  // m, of a face
+constexpr double kLongestRow = 20.0;   // m, of a row
+constexpr double kShortestRest = 0.5;  // m, past its end: corners are round
+constexpr std::size_t kFewInRest = 6;  // hits there
 
-struct Bin
+struct RowBin
 {
     std::size_t about = 0;
     std::size_t along = 0;
@@ -37,9 +37,9 @@ struct Bin
     }
 };
 
-Bin sumOf(const std::vector<Bin>& bins, std::size_t begin, std::size_t end)
+RowBin sumOfBins(const std::vector<RowBin>& bins, std::size_t begin, std::size_t end)
 {
-    Bin sum;
+    RowBin sum;
     for (std::size_t i = begin; i < end; ++i)
     {
         sum.about += bins[i].about;
@@ -56,7 +56,7 @@ struct RowInBins
     Eigen::Vector2d outwards;  // unit
     double face = 0.0;         // m outwards of the box's centre
     double low = 0.0;
-    std::vector<Bin> bins;
+    std::vector<RowBin> bins;
 
     double place(const Eigen::Vector2d& fromCentre) const { return along.dot(fromCentre); }
 };
@@ -70,23 +70,23 @@ RowInBins rowInBins(const Cluster& hits, const OrientedBox& box, const Eigen::Ve
     r.outwards = std::copysign(1.0, toBoxFrame(box, sensor)(axis)) * axes.col(axis);
     r.face = 0.5 * (axis == 0 ? box.length : box.width);
     r.low = row.middle - 0.5 * row.metres;
-    r.bins.resize(static_cast<std::size_t>(std::ceil(row.metres / kBin)) + 1);
+    r.bins.resize(static_cast<std::size_t>(std::ceil(row.metres / kBinLength)) + 1);
     for (std::size_t i = 0; i < hits.size(); ++i)
     {
         const Eigen::Vector2d hit = Eigen::Vector2d(hits.x[i], hits.y[i]) - box.centre();
-        const double at = (r.place(hit) - r.low) / kBin;
+        const double at = (r.place(hit) - r.low) / kBinLength;
         const double before = r.outwards.dot(hit) - r.face;
         if (at < 0.0 || at >= static_cast<double>(r.bins.size())) continue;
-        if (before > kBefore || before < -kBehind) continue;
-        Bin& bin = r.bins[static_cast<std::size_t>(at)];
+        if (before > kAboutBefore || before < -kAboutBehind) continue;
+        RowBin& bin = r.bins[static_cast<std::size_t>(at)];
         ++bin.about;
-        if (std::abs(before) < kOnFace) ++bin.along;
-        if (before > kOnFace) ++bin.before;
+        if (std::abs(before) < kAlongFace) ++bin.along;
+        if (before > kAlongFace) ++bin.before;
     }
     return r;
 }
 
-struct Part
+struct BinsOfFace
 {
     std::size_t begin = 0;
     std::size_t end = 0;
@@ -94,28 +94,28 @@ struct Part
 };
 
 // The bins next to each other with most hits along the face.
-Part faceIn(const std::vector<Bin>& bins)
+BinsOfFace faceIn(const std::vector<RowBin>& bins)
 {
-    Part best;
+    BinsOfFace best;
     for (std::size_t begin = 0; begin < bins.size();)
     {
         std::size_t end = begin;
         while (end < bins.size() && bins[end].holdsFace()) ++end;
-        const std::size_t along = sumOf(bins, begin, end).along;
+        const std::size_t along = sumOfBins(bins, begin, end).along;
         if (along > best.along) best = {begin, end, along};
         begin = end + 1;
     }
     return best;
 }
 
-bool isRough(const Bin& rest, std::size_t bins)
+bool isRough(const RowBin& rest, std::size_t bins)
 {
-    return static_cast<double>(bins) * kBin >= kRest && rest.about >= kFew &&
+    return static_cast<double>(bins) * kBinLength >= kShortestRest && rest.about >= kFewInRest &&
            static_cast<double>(rest.along) < kShareOff * static_cast<double>(rest.about) &&
            static_cast<double>(rest.before) > kShareBefore * static_cast<double>(rest.about);
 }
 
-void append(Cluster& to, const Cluster& from, std::size_t i)
+void appendHit(Cluster& to, const Cluster& from, std::size_t i)
 {
     to.x.push_back(from.x[i]);
     to.y.push_back(from.y[i]);
@@ -133,14 +133,16 @@ std::optional<HitsAtOneTime> withoutRoughEnd(const Sighting& sighting, const Hit
     {
         const FaceRow& row = axis == 0 ? sighting.end : sighting.side;
         const bool isSeen = m.facesSeen.seesAcross(axis);
-        if (!isSeen || row.metres < kShortest + kRest || row.metres > kLongest) continue;
+        if (!isSeen || row.metres < kShortestFace + kShortestRest || row.metres > kLongestRow)
+            continue;
         const RowInBins r = rowInBins(*seen.each, m.box, sighting.sensor, axis, row);
-        const Part face = faceIn(r.bins);
-        if (static_cast<double>(face.end - face.begin) * kBin < kShortest) continue;
-        const bool low = isRough(sumOf(r.bins, 0, face.begin), face.begin);
-        const bool high = isRough(sumOf(r.bins, face.end, r.bins.size()), r.bins.size() - face.end);
+        const BinsOfFace face = faceIn(r.bins);
+        if (static_cast<double>(face.end - face.begin) * kBinLength < kShortestFace) continue;
+        const bool low = isRough(sumOfBins(r.bins, 0, face.begin), face.begin);
+        const bool high =
+            isRough(sumOfBins(r.bins, face.end, r.bins.size()), r.bins.size() - face.end);
         if (low == high) continue;
-        const double end = r.low + kBin * static_cast<double>(low ? face.begin : face.end);
+        const double end = r.low + kBinLength * static_cast<double>(low ? face.begin : face.end);
         Cluster kept;
         Eigen::Vector2d rest = Eigen::Vector2d::Zero();
         for (std::size_t i = 0; i < seen.each->size(); ++i)
@@ -150,7 +152,7 @@ std::optional<HitsAtOneTime> withoutRoughEnd(const Sighting& sighting, const Hit
             if (low ? at < end : at > end)
                 rest += hit;
             else
-                append(kept, *seen.each, i);
+                appendHit(kept, *seen.each, i);
         }
         HitsAtOneTime smooth = seen;
         smooth.goesOn = rest / static_cast<double>(seen.each->size() - kept.size());
