@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "types/append_hit.h"
+
 namespace vdamf
 {
 namespace
@@ -73,13 +75,7 @@ PartsInTime splitInTime(const Cluster& cluster, const TimeSpan& span)
     const double middle = 0.5 * (span.first + span.last);
     Cluster part[2];
     for (std::size_t i = 0; i < cluster.size(); ++i)
-    {
-        Cluster& to = part[cluster.time[i] < middle ? 0 : 1];
-        to.x.push_back(cluster.x[i]);
-        to.y.push_back(cluster.y[i]);
-        to.height.push_back(cluster.height[i]);
-        to.time.push_back(cluster.time[i]);
-    }
+        appendHit(part[cluster.time[i] < middle ? 0 : 1], cluster, i);
     const int larger = part[0].size() >= part[1].size() ? 0 : 1;
     return {std::move(part[larger]), std::move(part[1 - larger])};
 }

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tracker/rough_ends.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>
 
 #include "tracker/discriminate.h"
+#include "types/append_hit.h"
 
 namespace vdamf
 {
@@ -113,14 +113,6 @@ bool isRough(const RowBin& rest, std::size_t bins)
     return static_cast<double>(bins) * kBinLength >= kShortestRest && rest.about >= kFewInRest &&
            static_cast<double>(rest.along) < kShareOff * static_cast<double>(rest.about) &&
            static_cast<double>(rest.before) > kShareBefore * static_cast<double>(rest.about);
-}
-
-void appendHit(Cluster& to, const Cluster& from, std::size_t i)
-{
-    to.x.push_back(from.x[i]);
-    to.y.push_back(from.y[i]);
-    to.height.push_back(from.height[i]);
-    if (!from.time.empty()) to.time.push_back(from.time[i]);
 }
 }  // namespace
 

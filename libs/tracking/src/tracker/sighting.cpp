@@ -231,7 +231,7 @@ Sighting sightingOf(const SegmentedFrame& frame, const std::vector<std::size_t>&
     s.around = rectangleAround(*seen.hits, m.box.heading);
     s.end = rowAlongFace(*seen.hits, m.box, sensor, 0);
     s.side = rowAlongFace(*seen.hits, m.box, sensor, 1);
-    if (!seen.goesOn && !seen.isCut)
+    if (!seen.goesOn)
         if (const auto smooth = withoutRoughEnd(s, seen, options.mergeCell, frame.planar))
             return sightingOf(frame, clusters, *smooth, start, knownLengthWidth, options, effort);
     m = withNearEndOfRow(s);

@@ -6,11 +6,12 @@
 
 namespace vdamf
 {
+/// With z and time where those are known.
 inline void appendHit(Cluster& to, const Cluster& from, std::size_t i)
 {
     to.x.push_back(from.x[i]);
     to.y.push_back(from.y[i]);
-    to.z.push_back(from.z[i]);
+    if (!from.z.empty()) to.z.push_back(from.z[i]);
     to.height.push_back(from.height[i]);
     if (!from.time.empty()) to.time.push_back(from.time[i]);
 }
