@@ -94,16 +94,14 @@ TEST(OutgrownClusters, TheFrontOfACarAndTheBushBeforeIt)
     addLine(both, {13.5F, -3.0F}, {14.5F, -3.0F}, 12);
     addLine(both, {14.6F, -3.2F}, {17.5F, -3.2F}, 25);  // together they are as long as the car
     PredictedTarget known = car();
-    known.positionSigma = {0.05, 0.05};
-    known.lengthSigma = 0.05;
+    known.endSigma = {0.05, 0.05};
     const auto parts = cut(both, known);
     ASSERT_TRUE(parts);
     ASSERT_EQ(parts->vehicles.size(), 1U);
     EXPECT_EQ(parts->vehicles[0].size(), 12U);
-    known.lengthSigma = 0.2;
-    EXPECT_FALSE(cut(both, known)) << "it may reach that far";
-    known.lengthSigma = 0.05;
-    known.positionSigma.x() = 0.2;
+    known.endSigma = {0.2, 0.05};
+    EXPECT_TRUE(cut(both, known)) << "wherever its rear is";
+    known.endSigma = {0.05, 0.2};
     EXPECT_FALSE(cut(both, known)) << "it may be there";
 }
 

@@ -180,5 +180,28 @@ TEST(LastGlimpse, OfAMovingCarThatSeemsToTurnAtOnceLeavesItsPose)
               track.state.mean);
 }
 
+// A sliver of its rear between two others, taken for a piece of its left side half a metre from its
+// right one.
+TEST(LastGlimpse, OfAMovingCarAPieceFarInsideOfItsFaceLeavesItsPose)
+{
+    const TrackerOptions options;
+    VehicleKalmanFilter filter{options.motion};
+    const Track track = drivenOn(filter);
+    Sighting glimpse = sightingMoved(glimpseAt(2.1), kSpeedAhead * 2.1);
+    glimpse.measurement.hits = 9;
+    glimpse.measurement.box.heading = 0.0;
+    glimpse.measurement.box.y -= 1.3;
+    glimpse.around.y -= 1.3;
+    const auto update = [&](const Sighting& seen)
+    { return sightedTrack(track, seen, Neighbourhood(), filter, options).state.mean; };
+    EXPECT_NE(update(glimpse), track.state.mean) << "its front alone is hidden";
+    glimpse.measurement.hiddenEnds.add(Face::Back);
+    EXPECT_EQ(update(glimpse), track.state.mean);
+    // Where the side may be.
+    glimpse.measurement.box.y += 1.3;
+    glimpse.around.y += 1.3;
+    EXPECT_NE(update(glimpse), track.state.mean);
+}
+
 }  // namespace
 }  // namespace vdamf

@@ -30,7 +30,7 @@ double varianceOfRear(const Measurement& m)
 TEST(NearEnd, IsWhereTheRowOnTheSideBegins)
 {
     const Sighting seen = sideSeen(20.0, 24.4);
-    const Measurement m = withNearEndOfRow(seen);
+    const Measurement m = withNearEndOfRow(seen).measurement;
     EXPECT_NEAR(m.box.x - 0.5 * m.box.length, 20.0, 1e-12);
     EXPECT_NEAR(m.box.x + 0.5 * m.box.length, 24.5, 1e-12) << "the other one stays";
     EXPECT_EQ(m.box.y, 5.0);
@@ -39,13 +39,20 @@ TEST(NearEnd, IsWhereTheRowOnTheSideBegins)
     EXPECT_NEAR(varianceOfRear(m), varianceOfRear(seen.measurement) + 0.15 * 0.15, 1e-12);
 }
 
+TEST(NearEnd, LeavesTheRowWhereItIs)
+{
+    const Sighting s = withNearEndOfRow(sideSeen(20.0, 24.4));
+    EXPECT_NEAR(s.measurement.box.x + s.side.middle, 22.2, 1e-12);
+    EXPECT_EQ(s.side.metres, sideSeen(20.0, 24.4).side.metres);
+}
+
 TEST(NearEnd, OfAVehicleSeenFromAhead)
 {
     Sighting seen = sideSeen(21.1, 25.5);
     seen.sensor = {45.0, 0.0};
     seen.measurement.facesSeen.remove(Face::Back);
     seen.measurement.facesSeen.add(Face::Front);
-    const Measurement m = withNearEndOfRow(seen);
+    const Measurement m = withNearEndOfRow(seen).measurement;
     EXPECT_NEAR(m.box.x + 0.5 * m.box.length, 25.5, 1e-12);
     EXPECT_NEAR(m.box.x - 0.5 * m.box.length, 21.0, 1e-12);
     EXPECT_FALSE(m.facesSeen.seesEnd());
@@ -55,16 +62,16 @@ TEST(NearEnd, StaysWhereNothingLiesBeforeIt)
 {
     for (const double first : {20.9, 22.0})
     {
-        const Measurement m = withNearEndOfRow(sideSeen(first, 24.4));
+        const Measurement m = withNearEndOfRow(sideSeen(first, 24.4)).measurement;
         EXPECT_EQ(m.box.length, 3.5) << first;
         EXPECT_EQ(toString(m.facesSeen), "BR");
     }
     // What lies behind the far end tells nothing of the near one.
-    EXPECT_EQ(withNearEndOfRow(sideSeen(21.0, 30.0)).box.length, 3.5);
+    EXPECT_EQ(withNearEndOfRow(sideSeen(21.0, 30.0)).measurement.box.length, 3.5);
     // Without a side there is no row of it.
     Sighting rear = sideSeen(20.0, 24.4);
     rear.measurement.facesSeen.remove(Face::Right);
-    EXPECT_EQ(withNearEndOfRow(rear).box.length, 3.5);
+    EXPECT_EQ(withNearEndOfRow(rear).measurement.box.length, 3.5);
 }
 }  // namespace
 }  // namespace vdamf

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace vdamf
 {
 namespace
@@ -82,6 +84,22 @@ TEST(PredictedTargets, ATruckEndsWhereItsBoxDoesWhereItStandsAndItsSizeIsKnown)
         change(other);
         EXPECT_FALSE(targetOf(other).isBounded);
     }
+}
+
+// A rear known to 0.05 m, and a length to 0.6 m: the centre errs by half of the length's error.
+TEST(PredictedTargets, TheEndThatIsSeenIsSureWhereTheLengthIsNot)
+{
+    Track car;
+    car.state.mean << 10.0, 5.0, 0.5 * kPi, 0.0, 0.0, 1.2, 4.5;
+    car.state.covariance(kLength, kLength) = 0.6 * 0.6;
+    car.state.covariance(kY, kY) = 0.05 * 0.05 + 0.3 * 0.3;
+    car.state.covariance(kY, kLength) = car.state.covariance(kLength, kY) = 0.5 * 0.6 * 0.6;
+    const Eigen::Vector2d sigma = targetOf(car).endSigma;
+    EXPECT_NEAR(sigma(0), 0.05, 1e-9) << "the rear";
+    EXPECT_NEAR(sigma(1), std::hypot(0.05, 0.6), 1e-9) << "the front";
+    // Turned about, its front is seen.
+    car.state.mean(kHeading) *= -1.0;
+    EXPECT_NEAR(targetOf(car).endSigma(1), 0.05, 1e-9);
 }
 
 TEST(PredictedTargets, ATruckIsOneWhereItDrivesAndItsWidthWasSeen)

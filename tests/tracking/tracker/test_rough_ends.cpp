@@ -46,7 +46,7 @@ Sighting rearSeen(const Cluster& hits)
 TEST(RoughEnds, OfAHedgeAreLeftOut)
 {
     const Cluster hits = rearAnd(30, 0.5, 0.9);
-    const auto smooth = withoutRoughEnd(rearSeen(hits), seenAs(hits), 0.0, false);
+    const auto smooth = withoutRoughEnd(rearSeen(hits), seenAs(hits), 0.0, 0.0, false);
     ASSERT_TRUE(smooth);
     const auto& y = smooth->each->y;
     EXPECT_GE(y.size(), 76U) << "the rear stays";
@@ -59,11 +59,23 @@ TEST(RoughEnds, OfAHedgeAreLeftOut)
 TEST(RoughEnds, StayWhereTheyAreTheVehiclesOwn)
 {
     const auto isCut = [](const Cluster& hits)
-    { return withoutRoughEnd(rearSeen(hits), seenAs(hits), 0.0, false).has_value(); };
+    { return withoutRoughEnd(rearSeen(hits), seenAs(hits), 0.0, 0.0, false).has_value(); };
     EXPECT_FALSE(isCut(rearAnd(30, 0.04, 0.04))) << "the face goes on";
     EXPECT_FALSE(isCut(rearAnd(30, -0.2, 0.6))) << "round corners lie behind it";
     EXPECT_FALSE(isCut(rearAnd(4, 0.5, 0.9))) << "hardly any hits";
     EXPECT_FALSE(isCut(Cluster()));
+}
+
+TEST(RoughEnds, StayWhereTooLittleWouldBeLeft)
+{
+    const Cluster hits = rearAnd(200, 0.5, 0.9);
+    const auto left = [&](double leastShare)
+    { return withoutRoughEnd(rearSeen(hits), seenAs(hits), leastShare, 0.0, false); };
+    ASSERT_TRUE(left(0.25));
+    const double share = static_cast<double>(left(0.25)->each->size()) / 280.0;
+    EXPECT_LT(share, 0.5);
+    EXPECT_TRUE(left(share - 0.01));
+    EXPECT_FALSE(left(share + 0.01));
 }
 
 // Parked cars that touch a hedge, before a sensor with dense rows: the hedge makes their ends as

@@ -33,15 +33,19 @@ public:
         const Eigen::Vector2d slack(options.lengthSlack, options.widthSlack);
         const Eigen::Vector2d sizeSigma(vehicle.lengthSigma, vehicle.widthSigma);
         most_ = 2.0 * half_ + slack + 2.0 * sizeSigma;
-        // No hits far beyond what was measured, and is where it was, are the vehicle's.
-        farthest_ = most_ - half_ + 2.0 * vehicle.positionSigma;
+        // No hits far beyond a face that was measured, and is where it was, are the vehicle's.
+        constexpr double kSure = 0.1;  // m
+        constexpr double kAny = 1e30;
+        const Eigen::Array2d sideSigma =
+            Eigen::Array2d::Constant(std::max(sizeSigma.y(), vehicle.positionSigma.y()));
+        const Eigen::Array2d faceSigma[2] = {vehicle.endSigma.array(), sideSigma};
         for (int axis = 0; axis < 2; ++axis)
         {
-            constexpr double kSure = 0.1;  // m
-            constexpr double kAny = 1e30;
+            const Eigen::Array2d reach = half_(axis) + slack(axis) + 4.0 * faceSigma[axis];
+            const Eigen::Array2d far = (faceSigma[axis] < kSure).select(reach, kAny);
+            lowest_(axis) = -far(0);
+            highest_(axis) = far(1);
             if (sizeSigma(axis) >= kSureSize) most_(axis) = kAny;
-            if (std::max(sizeSigma(axis), vehicle.positionSigma(axis)) >= kSure)
-                farthest_(axis) = kAny;
         }
     }
 
@@ -63,7 +67,7 @@ public:
             min = min.cwiseMin(p);
             max = max.cwiseMax(p);
             if (((max - min).array() > most_.array()).any()) return true;
-            if ((p.cwiseAbs().array() > farthest_.array()).any()) return true;
+            if ((p.array() < lowest_ || p.array() > highest_).any()) return true;
         }
         return false;
     }
@@ -91,10 +95,11 @@ private:
     Eigen::Vector2d centre_;
     Eigen::Vector2d velocity_;
     Eigen::Matrix2d toBox_;
-    Eigen::Vector2d view_;      // of the sensor, in the box
-    Eigen::Vector2d weight_;    // inverse variances along and across, 1/m^2
-    Eigen::Vector2d most_;      // extents of a cluster that is the vehicle's alone, m
-    Eigen::Vector2d farthest_;  // places of its hits, m
+    Eigen::Vector2d view_;    // of the sensor, in the box
+    Eigen::Vector2d weight_;  // inverse variances along and across, 1/m^2
+    Eigen::Vector2d most_;    // extents of a cluster that is the vehicle's alone, m
+    Eigen::Array2d lowest_;   // places of its hits along and across, m
+    Eigen::Array2d highest_;
 };
 
 }  // namespace vdamf

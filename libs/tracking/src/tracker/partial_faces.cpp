@@ -110,7 +110,7 @@ Measurement withoutEndOfShortSide(const Sighting& sighting)
 
 Measurement withinRowOfSide(const Sighting& sighting, const SegmentedFrame& frame)
 {
-    constexpr double kGap = 1.0;    // m
+    constexpr double kGap = 0.6;    // m
     constexpr double kLong = 5.0;   // m, for a car
     constexpr double kWhole = 6.0;  // m, of a row that is all of a truck, open between its axles
     Measurement m = sighting.measurement;

@@ -57,6 +57,7 @@ std::vector<PredictedTarget> predictedTargets(const std::vector<Track>& tracks,
         target.lengthSigma = isAsLarge ? track.lengthSigma() : 0.0;
         target.widthSigma = isAsLarge ? track.widthSigma() : 0.0;
         target.velocity = track.velocity();
+        target.endSigma = track.endSigma();
         target.speedSigma = track.state.speedSigma();
         target.speedCovariance = track.speedCovariance();
         target.isBounded = probability > kSurelyAVehicle &&

@@ -117,7 +117,7 @@ bool isRough(const RowBin& rest, std::size_t bins)
 }  // namespace
 
 std::optional<HitsAtOneTime> withoutRoughEnd(const Sighting& sighting, const HitsAtOneTime& seen,
-                                             double mergeCell, bool planar)
+                                             double leastShare, double mergeCell, bool planar)
 {
     const Measurement& m = sighting.measurement;
     if (sighting.height > kLowestTruck) return std::nullopt;
@@ -146,6 +146,8 @@ std::optional<HitsAtOneTime> withoutRoughEnd(const Sighting& sighting, const Hit
             else
                 appendHit(kept, *seen.each, i);
         }
+        if (static_cast<double>(kept.size()) < leastShare * static_cast<double>(seen.each->size()))
+            return std::nullopt;
         HitsAtOneTime smooth = seen;
         smooth.goesOn = rest / static_cast<double>(seen.each->size() - kept.size());
         smooth.isCut = true;

@@ -231,10 +231,14 @@ Sighting sightingOf(const SegmentedFrame& frame, const std::vector<std::size_t>&
     s.around = rectangleAround(*seen.hits, m.box.heading);
     s.end = rowAlongFace(*seen.hits, m.box, sensor, 0);
     s.side = rowAlongFace(*seen.hits, m.box, sensor, 1);
+    // Of what is followed most hits are its own; a new cluster may be a hedge with a car in it.
+    constexpr double kLeastShare = 0.25;
+    const double leastShare = knownLengthWidth ? kLeastShare : 0.0;
     if (!seen.goesOn)
-        if (const auto smooth = withoutRoughEnd(s, seen, options.mergeCell, frame.planar))
+        if (const auto smooth =
+                withoutRoughEnd(s, seen, leastShare, options.mergeCell, frame.planar))
             return sightingOf(frame, clusters, *smooth, start, knownLengthWidth, options, effort);
-    m = withNearEndOfRow(s);
+    s = withNearEndOfRow(std::move(s));
     m = withinRowOfSide(s, frame);
     if (seen.goesOn) m = goingOnTowards(m, *seen.goesOn);
 

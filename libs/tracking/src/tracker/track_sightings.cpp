@@ -8,6 +8,7 @@
 #include "tracker/ends_in_view.h"
 #include "tracker/existence.h"
 #include "tracker/faceless.h"
+#include "tracker/last_glimpse.h"
 #include "tracker/length_of_end.h"
 #include "tracker/unlikely_turn.h"
 
@@ -46,43 +47,9 @@ Measurement broughtTo(const VehicleState& state, const Measurement& measurement,
     return m;
 }
 
-// Whether the box around some hits lies on another one, grown by a margin (m).
-bool isWithin(const OrientedBox& hits, const OrientedBox& box, double margin)
-{
-    for (const Eigen::Vector2d& corner : corners(hits))
-    {
-        const Eigen::Vector2d p = toBoxFrame(box, corner).cwiseAbs();
-        if (p.x() > 0.5 * box.length + margin || p.y() > 0.5 * box.width + margin) return false;
-    }
-    return true;
-}
-
 bool stands(const Track& track)
 {
     return track.hypotheses->standingProbability >= 0.5;
-}
-
-// Of what has a known length and goes out of sight the last hits are on any part of it, and where
-// they are expected: they tell that it is there, and not where its faces are. Hits on a corner
-// alone may seem to turn.
-bool isLastGlimpse(const Track& track, const Sighting& sighting, const VehicleState& foretold,
-                   double margin)
-{
-    constexpr double kPart = 0.25;   // of the length
-    constexpr double kTurned = 0.2;  // rad: nothing turns as much from one frame to the next
-    constexpr int kFew = 8;          // hits
-    const Measurement& m = sighting.measurement;
-    if (!track.told.length) return false;
-    const bool isStanding = stands(track);
-    const double turned =
-        std::abs(std::remainder(m.box.heading - foretold.mean(kHeading), 0.5 * kPi));
-    const double mayTurn =
-        isStanding ? kTurned : kTurned + 3.0 * std::sqrt(foretold.covariance(kHeading, kHeading));
-    const bool showsFaces = m.hits >= kFew && turned <= mayTurn &&
-                            (isStanding ? m.hiddenEnds.empty() : !m.facesSeen.empty());
-    const bool isPart =
-        std::hypot(sighting.around.length, sighting.around.width) < kPart * foretold.mean(kLength);
-    return isPart && !showsFaces && isWithin(sighting.around, foretold.box(), margin);
 }
 
 // With the heading that it showed since it came to stand.
@@ -269,7 +236,7 @@ Track sightedTrack(Track track, const Sighting& seen, const Neighbourhood& aroun
     track.areParts = sighting.areParts;
     track = withFacesChecked(std::move(track), sighting, options.motion);
     if (track.isFaceless) return sightedByHits(std::move(track), sighting, filter, options);
-    if (isLastGlimpse(track, sighting, foretold, options.association.surfaceSigma))
+    if (isLastGlimpse(track, sighting, foretold, stands(track), options.association.surfaceSigma))
         return withHit(std::move(track), sighting.time, options.lifecycle);
     track =
         grownToAVehicle(std::move(track), m, std::max(track.height, sighting.height), visibility);

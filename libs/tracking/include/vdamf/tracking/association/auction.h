@@ -37,6 +37,8 @@ struct AssociationOptions
 /// What the auction knows of a track.
 struct PredictedTarget
 {
+    static constexpr double kUnknown = 1e3;  ///< m
+
     OrientedBox box;  ///< in the frame of the hits
     Eigen::Vector2d positionSigma =
         Eigen::Vector2d::Zero();  ///< of the centre along and across the box, m
@@ -44,6 +46,8 @@ struct PredictedTarget
     double widthSigma = 0.0;      ///< m
     /// With which the box moves on to the time of each cluster (Hits::time), m/s.
     Eigen::Vector2d velocity = Eigen::Vector2d::Zero();
+    /// Of the places of its rear and its front along the box, m.
+    Eigen::Vector2d endSigma = Eigen::Vector2d::Constant(kUnknown);
     /// Of the speed along the box, m/s, and its covariance with the place of the centre along it,
     /// m^2/s: at the time of a cluster that place is better or less known than at the frame's.
     double speedSigma = 0.0;

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tracker/last_glimpse.h"
+
+#include <cmath>
+
+namespace vdamf
+{
+namespace
+{
+// Whether the box around some hits lies on another one, grown by a margin (m).
+bool isWithin(const OrientedBox& hits, const OrientedBox& box, double margin)
+{
+    for (const Eigen::Vector2d& corner : corners(hits))
+    {
+        const Eigen::Vector2d p = toBoxFrame(box, corner).cwiseAbs();
+        if (p.x() > 0.5 * box.length + margin || p.y() > 0.5 * box.width + margin) return false;
+    }
+    return true;
+}
+
+// Whether hits on the face at an end of an axis lie far inside of where it is foretold.
+bool isFarInside(const Sighting& sighting, const VehicleState& foretold, int axis, int end)
+{
+    constexpr double kFar = 0.5;     // m
+    constexpr double kSurely = 3.0;  // sigmas
+    const OrientedBox& box = sighting.measurement.box;
+    const OrientedBox known = foretold.box();
+    const double out = signOfEnd(end);
+    Eigen::Vector2d onFace = toBoxFrame(box, sighting.around.centre());
+    onFace(axis) = 0.5 * out * (axis == 0 ? box.length : box.width);
+    const Eigen::Vector2d place = box.centre() + rotation(box.heading) * onFace;
+    const double inside = 0.5 * foretold.size()(axis) - out * toBoxFrame(known, place)(axis);
+    const Eigen::Vector2d normal = rotation(known.heading).col(axis);
+    const double variance = normal.dot(foretold.covariance.topLeftCorner<2, 2>() * normal);
+    return inside > kFar + kSurely * std::sqrt(variance);
+}
+
+// Whether it shows a face. A piece between what hides the rest of it may be any edge of the body,
+// where it is far inside of the face that it is taken for.
+bool showsFace(const Sighting& sighting, const VehicleState& foretold)
+{
+    const Measurement& m = sighting.measurement;
+    for (const int axis : {0, 1})
+        for (const int end : {0, 1})
+        {
+            const auto& across = kFaceAt[1 - axis];
+            const bool isPiece = m.hiddenEnds.has(across[0]) && m.hiddenEnds.has(across[1]);
+            if (m.facesSeen.has(kFaceAt[axis][end]) &&
+                !(isPiece && isFarInside(sighting, foretold, axis, end)))
+                return true;
+        }
+    return false;
+}
+}  // namespace
+
+bool isLastGlimpse(const Track& track, const Sighting& sighting, const VehicleState& foretold,
+                   bool isStanding, double margin)
+{
+    constexpr double kPart = 0.25;   // of the length
+    constexpr double kTurned = 0.2;  // rad: nothing turns as much from one frame to the next
+    constexpr int kFew = 8;          // hits
+    const Measurement& m = sighting.measurement;
+    if (!track.told.length) return false;
+    const double turned =
+        std::abs(std::remainder(m.box.heading - foretold.mean(kHeading), 0.5 * kPi));
+    const double mayTurn =
+        isStanding ? kTurned : kTurned + 3.0 * std::sqrt(foretold.covariance(kHeading, kHeading));
+    const bool showsFaces = m.hits >= kFew && turned <= mayTurn &&
+                            (isStanding ? m.hiddenEnds.empty() : showsFace(sighting, foretold));
+    const bool isPart =
+        std::hypot(sighting.around.length, sighting.around.width) < kPart * foretold.mean(kLength);
+    return isPart && !showsFaces && isWithin(sighting.around, foretold.box(), margin);
+}
+
+}  // namespace vdamf
