@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "tracker/discriminate.h"
+#include "tracker/inside_of.h"
 #include "types/box_changes.h"
 #include "vdamf/tracking/estimation/occlusion.h"
 
@@ -112,31 +113,6 @@ FaceSet windowEnds(const Sighting& sighting, const SegmentedFrame& frame)
         if (hits[end] >= kInRow && !areLow[end] && !m.facesSeen.has(face)) ends.add(face);
     }
     return ends;
-}
-
-// How far inside of the box foretold a face measured lies beside the hits, and how far that box may
-// err there, its heading aside, which edges taken for faces have made uncertain.
-struct Inside
-{
-    double metres = 0.0;
-    double sigma = 0.0;
-};
-
-Inside insideOf(const VehicleState& foretold, const OrientedBox& box, int axis, int end,
-                const Eigen::Vector2d& hits)
-{
-    const Eigen::Vector2d half(0.5 * box.length, 0.5 * box.width);
-    Eigen::Vector2d beside = toBoxFrame(box, hits);
-    beside(axis) = signOfEnd(end) * half(axis);
-    const OrientedBox before = foretold.box();
-    const Eigen::Vector2d place = toBoxFrame(before, box.centre() + rotation(box.heading) * beside);
-    StateVector change = StateVector::Zero();
-    change.head<2>() = signOfEnd(end) * rotation(before.heading).col(axis);
-    change(kLength) = axis == 0 ? 0.5 : 0.0;
-    const double variance = change.dot(foretold.covariance * change) +
-                            (axis == 1 ? 0.25 * foretold.widthVariance : 0.0);
-    return {0.5 * foretold.size()(axis) - signOfEnd(end) * place(axis),
-            std::sqrt(std::max(0.0, variance))};
 }
 }  // namespace
 

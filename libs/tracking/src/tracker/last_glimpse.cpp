@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "tracker/inside_of.h"
+
 namespace vdamf
 {
 namespace
@@ -18,21 +20,14 @@ bool isWithin(const OrientedBox& hits, const OrientedBox& box, double margin)
     return true;
 }
 
-// Whether hits on the face at an end of an axis lie far inside of where it is foretold.
+// Whether a face of the measurement lies far inside of where it is foretold.
 bool isFarInside(const Sighting& sighting, const VehicleState& foretold, int axis, int end)
 {
     constexpr double kFar = 0.5;     // m
     constexpr double kSurely = 3.0;  // sigmas
-    const OrientedBox& box = sighting.measurement.box;
-    const OrientedBox known = foretold.box();
-    const double out = signOfEnd(end);
-    Eigen::Vector2d onFace = toBoxFrame(box, sighting.around.centre());
-    onFace(axis) = 0.5 * out * (axis == 0 ? box.length : box.width);
-    const Eigen::Vector2d place = box.centre() + rotation(box.heading) * onFace;
-    const double inside = 0.5 * foretold.size()(axis) - out * toBoxFrame(known, place)(axis);
-    const Eigen::Vector2d normal = rotation(known.heading).col(axis);
-    const double variance = normal.dot(foretold.covariance.topLeftCorner<2, 2>() * normal);
-    return inside > kFar + kSurely * std::sqrt(variance);
+    const Inside inside =
+        insideOf(foretold, sighting.measurement.box, axis, end, sighting.around.centre());
+    return inside.metres > kFar + kSurely * inside.sigma;
 }
 
 // Whether it shows a face. A piece between what hides the rest of it may be any edge of the body,
