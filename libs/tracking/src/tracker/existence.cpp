@@ -74,7 +74,7 @@ double hitProbability(const Track& track, const LifecycleOptions& options)
 bool isSpeedSure(const Track& track)
 {
     constexpr double kSure = 0.8;  // m/s
-    return track.hypotheses->standingProbability >= 0.5 || track.state.speedSigma() < kSure;
+    return track.stands() || track.state.speedSigma() < kSure;
 }
 
 bool isVehicleOfKnownSpeed(const Track& track)

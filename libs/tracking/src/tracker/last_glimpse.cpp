@@ -49,7 +49,7 @@ bool showsFace(const Sighting& sighting, const VehicleState& foretold)
 }  // namespace
 
 bool isLastGlimpse(const Track& track, const Sighting& sighting, const VehicleState& foretold,
-                   bool isStanding, double margin)
+                   double margin)
 {
     constexpr double kPart = 0.25;   // of the length
     constexpr double kTurned = 0.2;  // rad: nothing turns as much from one frame to the next
@@ -58,10 +58,11 @@ bool isLastGlimpse(const Track& track, const Sighting& sighting, const VehicleSt
     if (!track.told.length) return false;
     const double turned =
         std::abs(std::remainder(m.box.heading - foretold.mean(kHeading), 0.5 * kPi));
-    const double mayTurn =
-        isStanding ? kTurned : kTurned + 3.0 * std::sqrt(foretold.covariance(kHeading, kHeading));
+    const double mayTurn = track.stands()
+                               ? kTurned
+                               : kTurned + 3.0 * std::sqrt(foretold.covariance(kHeading, kHeading));
     const bool showsFaces = m.hits >= kFew && turned <= mayTurn &&
-                            (isStanding ? m.hiddenEnds.empty() : showsFace(sighting, foretold));
+                            (track.stands() ? m.hiddenEnds.empty() : showsFace(sighting, foretold));
     const bool isPart =
         std::hypot(sighting.around.length, sighting.around.width) < kPart * foretold.mean(kLength);
     return isPart && !showsFaces && isWithin(sighting.around, foretold.box(), margin);

@@ -4,7 +4,7 @@
 
 #include "tracker/sighting.h"
 #include "tracker/track.h"
-#include "vdamf/tracking/types/track.h"
+#include "vdamf/tracking/types/vehicle_state.h"
 
 namespace vdamf
 {
@@ -13,6 +13,6 @@ namespace vdamf
 /// alone may seem to turn, and a sliver of a rear between two vehicles may be taken for a side.
 /// `foretold`: at the time of the hits; `margin`: that hits lie outside of the box, m.
 bool isLastGlimpse(const Track& track, const Sighting& sighting, const VehicleState& foretold,
-                   bool isStanding, double margin);
+                   double margin);
 
 }  // namespace vdamf

@@ -110,9 +110,9 @@ Measurement withoutEndOfShortSide(const Sighting& sighting)
 
 Measurement withinRowOfSide(const Sighting& sighting, const SegmentedFrame& frame)
 {
-    constexpr double kGap = 0.6;    // m
-    constexpr double kLong = 5.0;   // m, for a car
-    constexpr double kWhole = 6.0;  // m, of a row that is all of a truck, open between its axles
+    constexpr double kBeyond = 0.6;  // m
+    constexpr double kLong = 5.0;    // m, for a car
+    constexpr double kWhole = 6.0;   // m, of a row that is all of a truck, open between its axles
     Measurement m = sighting.measurement;
     const FaceRow& row = sighting.side;
     const bool isLow = sighting.height < kLowVehicle;
@@ -120,7 +120,7 @@ Measurement withinRowOfSide(const Sighting& sighting, const SegmentedFrame& fram
         return m;
     const double far = toBoxFrame(m.box, sighting.sensor).x() > 0.0 ? -1.0 : 1.0;
     const double beyond = 0.5 * m.box.length - (far * row.middle + 0.5 * row.metres);
-    if (beyond < kGap) return m;
+    if (beyond < kBeyond) return m;
     const Face farEnd = far > 0.0 ? Face::Front : Face::Back;
     OrientedBox within = m.box;
     const Eigen::Vector2d shift = -0.5 * far * beyond * rotation(m.box.heading).col(0);

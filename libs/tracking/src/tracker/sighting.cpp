@@ -231,7 +231,7 @@ Sighting sightingOf(const SegmentedFrame& frame, const std::vector<std::size_t>&
     s.around = rectangleAround(*seen.hits, m.box.heading);
     s.end = rowAlongFace(*seen.hits, m.box, sensor, 0);
     s.side = rowAlongFace(*seen.hits, m.box, sensor, 1);
-    // Of what is followed most hits are its own; a new cluster may be a hedge with a car in it.
+    // Of what is followed many hits are its own; a new cluster may be a hedge with a car in it.
     constexpr double kLeastShare = 0.25;
     const double leastShare = knownLengthWidth ? kLeastShare : 0.0;
     if (!seen.goesOn)

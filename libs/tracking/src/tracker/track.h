@@ -94,6 +94,8 @@ struct Track
     OrientedBox box() const { return state.box(); }
     /// That its state was told by.
     int sightingsOfState() const { return sightings - startedAt + 1; }
+    /// It likelier does than not.
+    bool stands() const { return hypotheses->standingProbability >= 0.5; }
     /// It likelier did than not, before the last prediction.
     bool stood() const { return stoodProbability >= 0.5; }
     /// Where its hits should be if it is as large as the last ones were.

@@ -47,15 +47,10 @@ Measurement broughtTo(const VehicleState& state, const Measurement& measurement,
     return m;
 }
 
-bool stands(const Track& track)
-{
-    return track.hypotheses->standingProbability >= 0.5;
-}
-
 // With the heading that it showed since it came to stand.
 Track withShownHeading(Track track, const Measurement& m, const Eigen::Vector2d& sensor)
 {
-    if (!stands(track))
+    if (!track.stands())
         track.shownHeading.reset();
     else
         track.shownHeading =
@@ -68,7 +63,7 @@ BoxMeasurement boxOf(const Sighting& sighting, const Measurement& m, const Track
                      const VehicleState& then, const VisibilityOptions& options)
 {
     FaceErrors errors = faceErrors(m, then, options);
-    if (track.told.length && (stands(track) || isInside(m, then)))
+    if (track.told.length && (track.stands() || isInside(m, then)))
         errors = withShortRows(errors, m, then);
     BoxMeasurement box = boxThrough(m, errors, then.size(), sighting.sensor, options);
     box.lag = sighting.lag;
@@ -88,7 +83,7 @@ double repeatedHits(const Track& track)
 Track openToGrowth(Track track, const Measurement& m, double lag, const TrackerOptions& options)
 {
     // What was only assumed of what stands is no reason to take in what it stands beside.
-    const bool mayBeLonger = track.told.length || !stands(track);
+    const bool mayBeLonger = track.told.length || !track.stands();
     track.hypotheses->forEach(
         [&](VehicleState& state)
         {
@@ -236,7 +231,7 @@ Track sightedTrack(Track track, const Sighting& seen, const Neighbourhood& aroun
     track.areParts = sighting.areParts;
     track = withFacesChecked(std::move(track), sighting, options.motion);
     if (track.isFaceless) return sightedByHits(std::move(track), sighting, filter, options);
-    if (isLastGlimpse(track, sighting, foretold, stands(track), options.association.surfaceSigma))
+    if (isLastGlimpse(track, sighting, foretold, options.association.surfaceSigma))
         return withHit(std::move(track), sighting.time, options.lifecycle);
     track =
         grownToAVehicle(std::move(track), m, std::max(track.height, sighting.height), visibility);
