@@ -105,6 +105,25 @@ TEST(OutgrownClusters, TheFrontOfACarAndTheBushBeforeIt)
     EXPECT_FALSE(cut(both, known)) << "it may be there";
 }
 
+// What is cut off behind a rear that is known leaves the car what its unknown length may show.
+TEST(OutgrownClusters, ACarOfUnknownLengthKeepsWhatGoesOnPastItsFront)
+{
+    Cluster both = carAlone();
+    addLine(both, {14.6F, -3.0F}, {15.0F, -3.0F}, 10);  // its side is longer than was assumed
+    addLine(both, {6.0F, -3.2F}, {9.0F, -3.2F}, 25);    // a bush before its rear
+    PredictedTarget known = car();
+    known.lengthSigma = 0.6;
+    known.endSigma = {0.05, 0.6};
+    const auto parts = cut(both, known);
+    ASSERT_TRUE(parts);
+    ASSERT_EQ(parts->vehicles.size(), 1U);
+    EXPECT_EQ(parts->vehicles[0].size(), 50U);
+    EXPECT_EQ(parts->rest.size(), 25U);
+    known.lengthSigma = 0.1;
+    known.endSigma = {0.05, 0.1};
+    EXPECT_EQ(cut(both, known)->vehicles[0].size(), 40U) << "it ends there";
+}
+
 TEST(OutgrownClusters, NotByWhatIsNotKnown)
 {
     PredictedTarget perhaps = car();

@@ -26,9 +26,7 @@ public:
           velocity_(vehicle.velocity),
           toBox_(rotation(vehicle.box.heading).transpose()),
           view_(toBoxFrame(vehicle.box, sensor)),
-          weight_(
-              (vehicle.positionSigma.array().square() + options.surfaceSigma * options.surfaceSigma)
-                  .inverse())
+          isLengthSure_(vehicle.lengthSigma < kSureSize)
     {
         const Eigen::Vector2d slack(options.lengthSlack, options.widthSlack);
         const Eigen::Vector2d sizeSigma(vehicle.lengthSigma, vehicle.widthSigma);
@@ -46,6 +44,17 @@ public:
             lowest_(axis) = -far(0);
             highest_(axis) = far(1);
             if (sizeSigma(axis) >= kSureSize) most_(axis) = kAny;
+        }
+        const auto weightOf = [&options](double sigma)
+        { return 1.0 / (sigma * sigma + options.surfaceSigma * options.surfaceSigma); };
+        weights_.row(1).setConstant(weightOf(vehicle.positionSigma.y()));
+        for (int end = 0; end < 2; ++end)
+        {
+            const bool isEndUnsure =
+                !isLengthSure_ && vehicle.endSigma(end) < PredictedTarget::kUnknown;
+            const double along = vehicle.positionSigma.x();
+            weights_(0, end) =
+                weightOf(isEndUnsure ? std::max(along, vehicle.endSigma(end)) : along);
         }
     }
 
@@ -74,7 +83,8 @@ public:
 
     /// Whether a hit there is the vehicle's.
     // Behind the faces that look away from the sensor the vehicle hides what there is of it, so
-    // what is seen there is not its own. Elsewhere its hits scatter about its box.
+    // what is seen there is not its own, unless it may be longer. Elsewhere its hits scatter about
+    // its box.
     bool has(const Eigen::Vector2d& place) const
     {
         double squares = 0.0;
@@ -84,8 +94,8 @@ public:
             if (out <= 0.0) continue;
             const bool isBehind =
                 std::abs(view_(axis)) > half_(axis) && view_(axis) * place(axis) < 0.0;
-            if (isBehind) return false;
-            squares += out * out * weight_(axis);
+            if (isBehind && (axis == 1 || isLengthSure_)) return false;
+            squares += out * out * weights_(axis, place(axis) > 0.0 ? 1 : 0);
         }
         return squares < 1.0;
     }
@@ -95,10 +105,11 @@ private:
     Eigen::Vector2d centre_;
     Eigen::Vector2d velocity_;
     Eigen::Matrix2d toBox_;
-    Eigen::Vector2d view_;    // of the sensor, in the box
-    Eigen::Vector2d weight_;  // inverse variances along and across, 1/m^2
-    Eigen::Vector2d most_;    // extents of a cluster that is the vehicle's alone, m
-    Eigen::Array2d lowest_;   // places of its hits along and across, m
+    Eigen::Vector2d view_;  // of the sensor, in the box
+    bool isLengthSure_;
+    Eigen::Matrix2d weights_;  // of each axis' ends, inverse variances, 1/m^2
+    Eigen::Vector2d most_;     // extents of a cluster that is the vehicle's alone, m
+    Eigen::Array2d lowest_;    // places of its hits along and across, m
     Eigen::Array2d highest_;
 };
 
