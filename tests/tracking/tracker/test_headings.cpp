@@ -54,7 +54,7 @@ TEST(Headings, RowsAlongAnUnknownHeadingTellNoSizes)
     Sighting sighting;
     sighting.measurement.facesSeen.add(Face::Back);
     sighting.measurement.covariance = Matrix5d::Identity() * 1e-3;
-    sighting.end = {3.2, 19.0, 0.0};
+    sighting.end = {3.2, 19.0};
     EXPECT_TRUE(sizeCues(sighting, sighting.measurement, 1.5).end);
     for (const double variance : {0.05, 1.2})
     {
@@ -68,12 +68,12 @@ TEST(Headings, RowsLongerThanAnyEndTellSoWhereTheFitSeesNone)
     Sighting sighting;
     sighting.measurement.facesSeen.add(Face::Left);
     sighting.measurement.covariance = Matrix5d::Identity() * 1e-3;
-    sighting.side = {1.75, 60.0, 0.0};
-    sighting.end = {4.0, 15.0, 0.0};
+    sighting.side = {1.75, 60.0};
+    sighting.end = {4.0, 15.0};
     const HeadingCues cues = sizeCues(sighting, sighting.measurement, 1.5);
     ASSERT_TRUE(cues.end);
     EXPECT_LT(axesEvidence(cues), -3.0);
-    for (const FaceRow& row : {FaceRow{2.5, 15.0, 0.0}, FaceRow{4.0, 6.0, 0.0}})
+    for (const FaceRow& row : {FaceRow{2.5, 15.0}, FaceRow{4.0, 6.0}})
     {
         sighting.end = row;
         EXPECT_FALSE(sizeCues(sighting, sighting.measurement, 1.5).end) << row.metres;
@@ -98,8 +98,8 @@ TEST(Headings, FacesThatWereRuledOutTellNoSizes)
     sighting.measurement.facesSeen.add(Face::Back);
     sighting.measurement.facesSeen.add(Face::Left);
     sighting.measurement.covariance = Matrix5d::Identity() * 1e-3;
-    sighting.side = {2.2, 40.0, 0.0};
-    sighting.end = {1.2, 40.0, 0.0};
+    sighting.side = {2.2, 40.0};
+    sighting.end = {1.2, 40.0};
     Measurement told = sighting.measurement;
     told.facesSeen.remove(Face::Left);
     EXPECT_TRUE(sizeCues(sighting, sighting.measurement, 1.5).side);

@@ -115,7 +115,7 @@ TEST(PartialFaces, ASideTooLongForACarEndsAtItsGap)
     SegmentedFrame blocked;
     blocked.profile.nearest = {5.0F};
     Sighting both = rearAndSideSeen(5.8);
-    both.side = {4.0, 30.0, -0.9};
+    both.side = {4.0, 30.0, {22.0, 0.9}};
     const Measurement m = withinRowOfSide(both, blocked);
     EXPECT_NEAR(m.box.length, 4.0, 1e-12);
     EXPECT_NEAR(m.box.x - 0.5 * m.box.length, 20.0, 1e-12);
@@ -125,7 +125,7 @@ TEST(PartialFaces, ASideTooLongForACarEndsAtItsGap)
     ahead.sensor = {50.0, 0.0};
     ahead.measurement.facesSeen.remove(Face::Back);
     ahead.measurement.facesSeen.add(Face::Front);
-    ahead.side.middle = 0.9;
+    ahead.side.middle.x() = 23.8;
     EXPECT_EQ(toString(withinRowOfSide(ahead, blocked).hiddenEnds), "B");
     EXPECT_NEAR(withinRowOfSide(ahead, blocked).box.x, 20.0 + 5.8 - 2.0, 1e-12);
     // With its rear hidden too it is where the row is.
@@ -142,21 +142,47 @@ TEST(PartialFaces, ASideTooLongForACarEndsAtItsGap)
     EXPECT_EQ(withinRowOfSide(truck, blocked).box.length, 5.8);
     Sighting trucks = rearAndSideSeen(16.0);
     trucks.height = 3.0;
-    trucks.side = {10.0, 90.0, -3.0};
+    trucks.side = {10.0, 90.0, {25.0, 0.9}};
     EXPECT_NEAR(withinRowOfSide(trucks, blocked).box.length, 10.0, 1e-12);
     Sighting car = rearAndSideSeen(4.6);
-    car.side = {3.0, 30.0, -0.8};
+    car.side = {3.0, 30.0, {21.5, 0.9}};
     EXPECT_EQ(withinRowOfSide(car, blocked).box.length, 4.6);
     Sighting whole = rearAndSideSeen(5.8);
-    whole.side = {5.6, 30.0, 0.0};
+    whole.side = {5.6, 30.0, {22.9, 0.9}};
     EXPECT_TRUE(withinRowOfSide(whole, blocked).hiddenEnds.empty());
+}
+
+TEST(PartialFaces, TheGapIsWiderThanHitsScatter)
+{
+    for (const double gap : {0.5, 0.8})
+    {
+        Sighting both = rearAndSideSeen(5.8);
+        both.side = {5.8 - gap, 60.0, {20.0 + 0.5 * (5.8 - gap), 0.9}};
+        EXPECT_NEAR(withinRowOfSide(both, {}).box.length, gap < 0.6 ? 5.8 : 5.0, 1e-12) << gap;
+    }
+}
+
+// Something is found to go on past the near end only after the far one was cut off.
+TEST(PartialFaces, TheRowStaysWhereItIsAsTheBoxIsCut)
+{
+    SegmentedFrame blocked;
+    blocked.profile.nearest = {5.0F};
+    Sighting both = rearAndSideSeen(5.8);
+    both.side = {3.8, 30.0, {22.1, 0.9}};
+    both.measurement = withinRowOfSide(both, blocked);
+    EXPECT_NEAR(both.measurement.box.x, 22.0, 1e-12);
+    both.measurement.facesSeen.remove(Face::Back);
+    both.measurement.hiddenEnds.add(Face::Back);
+    const OrientedBox box = withRowsBetweenHiddenEnds(both).box;
+    EXPECT_NEAR(box.x, 22.1, 1e-12);
+    EXPECT_NEAR(box.length, 3.8, 1e-12);
 }
 
 TEST(PartialFaces, WhereTheViewThroughTheGapIsFreeTheSideEndsThere)
 {
     const SegmentedFrame open;
     Sighting both = rearAndSideSeen(5.8);
-    both.side = {4.0, 30.0, -0.9};
+    both.side = {4.0, 30.0, {22.0, 0.9}};
     both.measurement.hiddenEnds.add(Face::Front);  // the next one's
     both.sensor = {20.0, -8.0};
     const Measurement m = withinRowOfSide(both, open);
@@ -186,7 +212,7 @@ TEST(PartialFaces, BetweenHiddenEndsTheBoxIsAsLongAsTheRow)
     m.facesSeen.add(Face::Left);
     m.hiddenEnds.add(Face::Front);
     m.hiddenEnds.add(Face::Back);
-    side.side = {2.0, 30.0, -0.7};
+    side.side = {2.0, 30.0, {21.35, -0.7}};
     const OrientedBox box = withRowsBetweenHiddenEnds(side).box;
     EXPECT_NEAR(box.x, m.box.x, 1e-12);
     EXPECT_NEAR(box.y, m.box.y - 0.7, 1e-12);

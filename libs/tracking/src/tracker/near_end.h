@@ -7,9 +7,9 @@
 
 namespace vdamf
 {
-/// With the near end no farther away than the row of hits on the side begins: where a ring sweeps
-/// up a windscreen and another one along the side, the windscreen is not the front. Such an end is
-/// told by the row, which stays where it is as the box grows.
-Sighting withNearEndOfRow(Sighting sighting);
+/// The measurement of a sighting with the near end no farther away than the row of hits on the side
+/// begins: where a ring sweeps up a windscreen and another one along the side, the windscreen is
+/// not the front. Such an end is told by the row.
+Measurement withNearEndOfRow(const Sighting& sighting);
 
 }  // namespace vdamf

@@ -89,7 +89,8 @@ Measurement withRowsBetweenHiddenEnds(const Sighting& sighting)
         if (!m.facesSeen.seesAlong(axis) || located.has(kFaceAt[axis][0]) ||
             located.has(kFaceAt[axis][1]) || row.hits == 0.0)
             continue;
-        const Eigen::Vector2d to = row.middle * rotation(m.box.heading).col(axis);
+        const Eigen::Vector2d to =
+            toBoxFrame(m.box, row.middle)(axis) * rotation(m.box.heading).col(axis);
         m.box.x += to.x();
         m.box.y += to.y();
         (axis == 0 ? m.box.length : m.box.width) = std::max(0.1, row.metres);
@@ -119,7 +120,8 @@ Measurement withinRowOfSide(const Sighting& sighting, const SegmentedFrame& fram
     if (!m.facesSeen.seesSide() || m.box.length < kLong || (!isLow && row.metres < kWhole))
         return m;
     const double far = toBoxFrame(m.box, sighting.sensor).x() > 0.0 ? -1.0 : 1.0;
-    const double beyond = 0.5 * m.box.length - (far * row.middle + 0.5 * row.metres);
+    const double ends = far * toBoxFrame(m.box, row.middle).x() + 0.5 * row.metres;
+    const double beyond = 0.5 * m.box.length - ends;
     if (beyond < kBeyond) return m;
     const Face farEnd = far > 0.0 ? Face::Front : Face::Back;
     OrientedBox within = m.box;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tracker/sighting.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -87,8 +89,9 @@ bool hasNoGap(const std::vector<RowHit>& places)
     return hasHit == ~std::uint64_t{0} >> static_cast<unsigned>(kBins - bins);
 }
 
-// All of the row but the outermost hundredth at either end.
-FaceRow rowOf(std::vector<RowHit>::iterator begin, std::vector<RowHit>::iterator end)
+// All of the row but the outermost hundredth at either end; its hits lie along a line.
+FaceRow rowOf(std::vector<RowHit>::iterator begin, std::vector<RowHit>::iterator end,
+              const Eigen::ParametrizedLine<double, 2>& line)
 {
     const auto size = static_cast<std::size_t>(end - begin);
     const std::size_t outermost = size / 100;
@@ -97,7 +100,7 @@ FaceRow rowOf(std::vector<RowHit>::iterator begin, std::vector<RowHit>::iterator
     {
         const auto [first, last] = std::minmax_element(begin, end);
         row.metres = last->first - first->first;
-        row.middle = 0.5 * (last->first + first->first);
+        row.middle = line.pointAt(0.5 * (last->first + first->first));
     }
     else
     {
@@ -106,7 +109,7 @@ FaceRow rowOf(std::vector<RowHit>::iterator begin, std::vector<RowHit>::iterator
         std::partial_sort_copy(begin, end, lowest.begin(), lowest.end());
         std::partial_sort_copy(begin, end, highest.begin(), highest.end(), std::greater<>());
         row.metres = highest.back().first - lowest.back().first;
-        row.middle = 0.5 * (highest.back().first + lowest.back().first);
+        row.middle = line.pointAt(0.5 * (highest.back().first + lowest.back().first));
     }
     for (auto hit = begin; hit != end; ++hit) row.hits += hit->second;
     return row;
@@ -170,14 +173,15 @@ FaceRow rowAlongFace(const Hits& hits, const OrientedBox& box, const Eigen::Vect
         taken += ((behind > -kInFrontOfFace) & (behind < kBehindFace)) ? 1 : 0;
     }
     places.resize(taken);
-    if (hasNoGap(places)) return rowOf(places.begin(), places.end());
+    const Eigen::ParametrizedLine<double, 2> line(box.centre() + half * outwards, along);
+    if (hasNoGap(places)) return rowOf(places.begin(), places.end(), line);
     std::sort(places.begin(), places.end());
     FaceRow best;
     for (auto first = places.begin(), last = first; first != places.end(); first = last)
     {
         do ++last;
         while (last != places.end() && last->first < std::prev(last)->first + kWideGap);
-        const FaceRow row = rowOf(first, last);
+        const FaceRow row = rowOf(first, last, line);
         if (row.hits > best.hits) best = row;
     }
     return best;
@@ -238,7 +242,7 @@ Sighting sightingOf(const SegmentedFrame& frame, const std::vector<std::size_t>&
         if (const auto smooth =
                 withoutRoughEnd(s, seen, leastShare, options.mergeCell, frame.planar))
             return sightingOf(frame, clusters, *smooth, start, knownLengthWidth, options, effort);
-    s = withNearEndOfRow(std::move(s));
+    m = withNearEndOfRow(s);
     m = withinRowOfSide(s, frame);
     if (seen.goesOn) m = goingOnTowards(m, *seen.goesOn);
 
