@@ -7,6 +7,7 @@
 #include "tracker/neighbourhood.h"
 #include "tracker/sighting.h"
 #include "tracker/track.h"
+#include "vdamf/tracking/estimation/visibility.h"
 
 namespace vdamf
 {
@@ -180,7 +181,7 @@ TEST(LastGlimpse, OfAMovingCarThatSeemsToTurnAtOnceLeavesItsPose)
               track.state.mean);
 }
 
-// A sliver of its rear between two others, taken for a piece of its left side half a metre from its
+// A sliver of its rear between two others, taken for a piece of its left side 0.2 m from its
 // right one.
 TEST(LastGlimpse, OfAMovingCarAPieceFarInsideOfItsFaceLeavesItsPose)
 {
@@ -190,16 +191,25 @@ TEST(LastGlimpse, OfAMovingCarAPieceFarInsideOfItsFaceLeavesItsPose)
     Sighting glimpse = sightingMoved(glimpseAt(2.1), kSpeedAhead * 2.1);
     glimpse.measurement.hits = 9;
     glimpse.measurement.box.heading = 0.0;
-    glimpse.measurement.box.y -= 1.3;
-    glimpse.around.y -= 1.3;
+    glimpse.measurement.box.y -= 1.6;
+    glimpse.around.y -= 1.6;
     const auto update = [&](const Sighting& seen)
     { return sightedTrack(track, seen, Neighbourhood(), filter, options).state.mean; };
     EXPECT_NE(update(glimpse), track.state.mean) << "its front alone is hidden";
     glimpse.measurement.hiddenEnds.add(Face::Back);
     EXPECT_EQ(update(glimpse), track.state.mean);
-    // Where the side may be.
-    glimpse.measurement.box.y += 1.3;
-    glimpse.around.y += 1.3;
+    // Whichever way its box was taken to point,
+    glimpse.measurement = turnedBy(glimpse.measurement, 2);
+    EXPECT_EQ(update(glimpse), track.state.mean);
+    glimpse.measurement = turnedBy(glimpse.measurement, 2);
+    // but not where its heading is so vague that the side may lie there,
+    Track vague = track;
+    vague.state.covariance(kHeading, kHeading) = 0.3 * 0.3;
+    EXPECT_NE(sightedTrack(vague, glimpse, Neighbourhood(), filter, options).state.mean,
+              track.state.mean);
+    // nor where it is foretold.
+    glimpse.measurement.box.y += 1.6;
+    glimpse.around.y += 1.6;
     EXPECT_NE(update(glimpse), track.state.mean);
 }
 

@@ -171,12 +171,9 @@ bool isInside(const Measurement& m, const VehicleState& predicted)
 {
     constexpr double kSurely = 2.0;  // sigmas
     if (!locatesLength(m)) return false;
-    const Eigen::Vector2d along = rotation(predicted.mean(kHeading)).col(0);
-    const double variance = along.dot(predicted.covariance.topLeftCorner<2, 2>() * along) +
-                            0.25 * predicted.covariance(kLength, kLength);
-    const double most = -kSurely * std::sqrt(variance);
-    return outsideOf(predicted.box(), m.box, 0, 0) < most &&
-           outsideOf(predicted.box(), m.box, 0, 1) < most;
+    const auto isEndInside = [&](int end)
+    { return outsideOf(predicted.box(), m.box, 0, end) < -kSurely * predicted.faceSigma(0, end); };
+    return isEndInside(0) && isEndInside(1);
 }
 
 FaceErrors withShortRows(const FaceErrors& errors, const Measurement& m,

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "tracker/inside_of.h"
+#include "vdamf/tracking/estimation/visibility.h"
 
 namespace vdamf
 {
@@ -20,28 +21,32 @@ bool isWithin(const OrientedBox& hits, const OrientedBox& box, double margin)
     return true;
 }
 
-// Whether a face of the measurement lies far inside of where it is foretold.
-bool isFarInside(const Sighting& sighting, const VehicleState& foretold, int axis, int end)
+// Whether a face measured at some hits (their middle, m) lies far inside of where it is foretold.
+bool isFarInside(const Measurement& m, const VehicleState& foretold, int axis, int end,
+                 const Eigen::Vector2d& hits)
 {
     constexpr double kFar = 0.5;     // m
     constexpr double kSurely = 3.0;  // sigmas
-    const Inside inside =
-        insideOf(foretold, sighting.measurement.box, axis, end, sighting.around.centre());
-    return inside.metres > kFar + kSurely * inside.sigma;
+    const Inside inside = insideOf(foretold, m.box, axis, end, hits);
+    const double lever = toBoxFrame(foretold.box(), hits)(1 - axis);
+    const double byTurn = lever * std::sqrt(foretold.covariance(kHeading, kHeading));
+    return inside.metres > kFar + kSurely * std::hypot(inside.sigma, byTurn);
 }
 
 // Whether it shows a face. A piece between what hides the rest of it may be any edge of the body,
 // where it is far inside of the face that it is taken for.
 bool showsFace(const Sighting& sighting, const VehicleState& foretold)
 {
-    const Measurement& m = sighting.measurement;
+    const Measurement m = alignedWith(sighting.measurement, foretold.mean(kHeading));
+    const bool isAcross = std::abs(wrapAngle(m.box.heading - foretold.mean(kHeading))) > 0.25 * kPi;
+    const Eigen::Vector2d hits = sighting.around.centre();
     for (const int axis : {0, 1})
         for (const int end : {0, 1})
         {
             const auto& across = kFaceAt[1 - axis];
             const bool isPiece = m.hiddenEnds.has(across[0]) && m.hiddenEnds.has(across[1]);
             if (m.facesSeen.has(kFaceAt[axis][end]) &&
-                !(isPiece && isFarInside(sighting, foretold, axis, end)))
+                !(isPiece && !isAcross && isFarInside(m, foretold, axis, end, hits)))
                 return true;
         }
     return false;

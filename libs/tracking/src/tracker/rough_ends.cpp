@@ -69,7 +69,7 @@ RowInBins rowInBins(const Cluster& hits, const OrientedBox& box, const Eigen::Ve
     r.along = axes.col(1 - axis);
     r.outwards = std::copysign(1.0, toBoxFrame(box, sensor)(axis)) * axes.col(axis);
     r.face = 0.5 * (axis == 0 ? box.length : box.width);
-    r.low = row.middle - 0.5 * row.metres;
+    r.low = r.place(row.middle - box.centre()) - 0.5 * row.metres;
     r.bins.resize(static_cast<std::size_t>(std::ceil(row.metres / kBinLength)) + 1);
     for (std::size_t i = 0; i < hits.size(); ++i)
     {
@@ -147,7 +147,7 @@ std::optional<HitsAtOneTime> withoutRoughEnd(const Sighting& sighting, const Hit
                 appendHit(kept, *seen.each, i);
         }
         if (static_cast<double>(kept.size()) < leastShare * static_cast<double>(seen.each->size()))
-            return std::nullopt;
+            continue;
         HitsAtOneTime smooth = seen;
         smooth.goesOn = rest / static_cast<double>(seen.each->size() - kept.size());
         smooth.isCut = true;

@@ -120,14 +120,9 @@ struct Track
     Eigen::Vector2d endSigma() const
     {
         const Eigen::Vector2d along = rotation(state.mean(kHeading)).col(0);
-        const double alongWithLength = along.dot(state.covariance.block<2, 1>(kX, kLength));
-        const double centre = boxSigma().x();
-        Eigen::Vector2d sigma;
-        for (const int end : {0, 1})
-            sigma(end) =
-                std::sqrt(std::max(0.0, centre * centre + signOfEnd(end) * alongWithLength +
-                                            0.25 * lengthSigma() * lengthSigma()));
-        return sigma;
+        const double lasting = std::sqrt(along.dot(lastingError.topLeftCorner<2, 2>() * along));
+        return {std::hypot(state.faceSigma(0, 0), lasting),
+                std::hypot(state.faceSigma(0, 1), lasting)};
     }
     /// Covariance of the place of the centre along the box and the speed, m^2/s.
     double speedCovariance() const

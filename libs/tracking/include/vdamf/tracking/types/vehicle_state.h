@@ -3,8 +3,10 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
 
+#include "vdamf/tracking/types/faces.h"
 #include "vdamf/tracking/types/geometry.h"
 
 namespace vdamf
@@ -54,6 +56,16 @@ struct VehicleState
     double yawRate() const { return mean(kSpeed) * mean(kCurvature); }
     /// The same, m/s.
     double speedSigma() const { return std::sqrt(covariance(kSpeed, kSpeed)); }
+    /// Of the place of the face at an end of an axis (kFaceAt), along the axis, m. The length errs
+    /// with the centre, the width apart from it.
+    double faceSigma(int axis, int end) const
+    {
+        const Eigen::Vector2d along = rotation(mean(kHeading)).col(axis);
+        const double centre = along.dot(covariance.topLeftCorner<2, 2>() * along);
+        const double withLength = along.dot(covariance.block<2, 1>(kX, kLength));
+        const double both = axis == 0 ? signOfEnd(end) * withLength : 0.0;
+        return std::sqrt(std::max(0.0, centre + both + 0.25 * sizeVariance()(axis)));
+    }
 
     Eigen::Vector2d size() const { return {mean(kLength), width}; }
     Eigen::Vector2d sizeVariance() const { return {covariance(kLength, kLength), widthVariance}; }
