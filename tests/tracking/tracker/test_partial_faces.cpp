@@ -6,47 +6,12 @@
 #include <cmath>
 #include <utility>
 
-#include "tracking/tracker/seen_as.h"
+#include "tracking/tracker/rear_seen.h"
 
 namespace vdamf
 {
 namespace
 {
-// A car 20 m ahead whose rear shows a row of some metres on its left half.
-Sighting rearSeen(double metres)
-{
-    Sighting s;
-    s.measurement.box = {22.25, 0.0, 0.0, 4.5, 1.8};
-    s.measurement.facesSeen.add(Face::Back);
-    s.measurement.covariance.diagonal() << 0.01, 0.01, 1e-4, 0.01, 0.01;
-    s.end.metres = metres;
-    s.height = 1.5;
-    s.around = {20.05, 0.9 - 0.5 * metres, 0.0, 0.1, metres};
-    return s;
-}
-
-// Of a place on the box, m^2, along x.
-double varianceAt(const Measurement& m, double x, double y)
-{
-    Vector5d byBox = Vector5d::Zero();
-    byBox.head<3>() << 1.0, 0.0, -(y - m.box.y);
-    byBox(3) = (x - m.box.x) / m.box.length;
-    return byBox.dot(m.covariance * byBox);
-}
-
-HitsAtOneTime hitsOnRear(double lowest)
-{
-    Cluster hits;
-    for (int row = 0; row < 3; ++row)
-        for (int k = 0; k < 10; ++k)
-        {
-            hits.x.push_back(20.0F);
-            hits.y.push_back(-0.9F + 0.2F * static_cast<float>(k));
-            hits.height.push_back(static_cast<float>(lowest + 0.15 * row));
-        }
-    return seenAs(std::move(hits));
-}
-
 TEST(PartialFaces, APieceOfAnEndTellsLittleOfTheHeading)
 {
     Sighting piece = rearSeen(0.6);
@@ -222,38 +187,6 @@ TEST(PartialFaces, BetweenHiddenEndsTheBoxIsAsLongAsTheRow)
     EXPECT_EQ(withRowsBetweenHiddenEnds(side).box.length, m.box.length);
 }
 
-TEST(PartialFaces, HitsAboveTheBumperMayLieBehindTheEnd)
-{
-    const Sighting rear = rearSeen(1.8);
-    const Measurement& seen = rear.measurement;
-    const Measurement low = withRecessOfEnd(rear, hitsOnRear(0.3));
-    EXPECT_EQ(low.covariance, seen.covariance);
-    const auto recess = [&seen](const Sighting& of, double lowest)
-    {
-        const Measurement m = withRecessOfEnd(of, hitsOnRear(lowest));
-        EXPECT_NEAR(varianceAt(m, 24.5, 0.0), varianceAt(seen, 24.5, 0.0), 0.01);
-        return std::sqrt(varianceAt(m, 20.0, 0.0) - varianceAt(seen, 20.0, 0.0));
-    };
-    EXPECT_NEAR(recess(rear, 0.75), 0.14, 0.01);
-    EXPECT_NEAR(recess(rear, 1.05), 1.04, 0.02) << "they may be on a bonnet or a windscreen";
-    Sighting van = rear;
-    van.height = 1.9;
-    EXPECT_NEAR(recess(van, 1.05), 0.4, 0.02);
-}
-
-// Of a rear half hidden by what is nearer the roof shows, and at the corner all of the side.
-HitsAtOneTime roofAndCorner(double lowestOfRear)
-{
-    Cluster hits = *hitsOnRear(lowestOfRear).each;
-    for (int k = 0; k < 8; ++k)
-    {
-        hits.x.push_back(20.02F + 0.03F * static_cast<float>(k));
-        hits.y.push_back(0.85F);
-        hits.height.push_back(0.4F);
-    }
-    return seenAs(std::move(hits));
-}
-
 TEST(PartialFaces, FacesAreAsHighAsTheHitsOnThem)
 {
     const Measurement m = rearSeen(1.8).measurement;
@@ -281,46 +214,5 @@ TEST(PartialFaces, FacesAreAsHighAsTheHitsOnThem)
     EXPECT_EQ(heightOfFaces(m, Eigen::Vector2d::Zero(), level), 0.0);
 }
 
-TEST(PartialFaces, LowHitsAtTheCornerAreTheSides)
-{
-    Sighting rear = rearSeen(1.8);
-    const HitsAtOneTime seen = roofAndCorner(0.95);
-    // All of them could be the rear's,
-    EXPECT_EQ(withRecessOfEnd(rear, seen).covariance, rear.measurement.covariance);
-    // but not where the side is seen as well;
-    rear.measurement.facesSeen.add(Face::Left);
-    const Measurement m = withRecessOfEnd(rear, seen);
-    EXPECT_GT(varianceAt(m, 20.0, 0.0), varianceAt(rear.measurement, 20.0, 0.0) + 0.05);
-    // of a short row at the corner nothing tells whose it is.
-    rear.end.metres = 0.5;
-    EXPECT_EQ(withRecessOfEnd(rear, seen).covariance, rear.measurement.covariance);
-}
-
-TEST(PartialFaces, TheEdgeOfWhatHidesARoofIsNoEnd)
-{
-    Sighting rear = rearSeen(1.8);
-    rear.measurement.facesSeen.add(Face::Left);
-    const Measurement m = withRecessOfEnd(rear, roofAndCorner(1.3));
-    EXPECT_FALSE(m.facesSeen.seesEnd());
-    EXPECT_TRUE(m.facesSeen.has(Face::Left));
-    EXPECT_TRUE(m.hiddenEnds.has(Face::Back));
-}
-
-TEST(PartialFaces, WithoutHeightsNothingIsKnownOfTheBumper)
-{
-    const Sighting rear = rearSeen(1.8);
-    HitsAtOneTime level = hitsOnRear(1.05);
-    Hits hits = *level.hits;
-    hits.heights = 0;
-    level.hits = hits;
-    EXPECT_EQ(withRecessOfEnd(rear, level).covariance, rear.measurement.covariance);
-}
-
-TEST(PartialFaces, TrucksAreUpright)
-{
-    Sighting truck = rearSeen(1.8);
-    truck.height = 3.0;
-    EXPECT_EQ(withRecessOfEnd(truck, hitsOnRear(1.5)).covariance, truck.measurement.covariance);
-}
 }  // namespace
 }  // namespace vdamf

@@ -78,6 +78,30 @@ TEST(RoughEnds, StayWhereTooLittleWouldBeLeft)
     EXPECT_FALSE(left(share + 0.01));
 }
 
+// With its right side, smooth up to where a hedge goes on behind it.
+TEST(RoughEnds, OfTheSideWhereTooLittleWouldBeLeftOfTheEnd)
+{
+    Cluster hits = rearAnd(200, 0.5, 0.9);
+    std::mt19937 random(5);
+    const auto add = [&](double x, double y)
+    {
+        hits.x.push_back(static_cast<float>(x));
+        hits.y.push_back(static_cast<float>(y));
+        hits.height.push_back(0.7F);
+    };
+    std::uniform_real_distribution<> unit(0.0, 1.0);
+    for (int i = 0; i < 500; ++i) add(20.9 + 2.1 * unit(random), 1.1 + 0.04 * (unit(random) - 0.5));
+    for (int i = 0; i < 60; ++i) add(23.05 + 1.2 * unit(random), 0.6 + 1.0 * unit(random));
+    Sighting s = rearSeen(hits);
+    s.sensor = {0.0, 20.0};
+    s.measurement.facesSeen.add(Face::Left);
+    s.side = rowAlongFace(*seenAs(hits).hits, s.measurement.box, s.sensor, 1);
+    const auto cut = withoutRoughEnd(s, seenAs(hits), 0.8, 0.0, false);
+    ASSERT_TRUE(cut);
+    EXPECT_LT(*std::max_element(cut->each->x.begin(), cut->each->x.end()), 23.4F);
+    EXPECT_GT(cut->each->size(), 700U) << "the hits of the end stay";
+}
+
 // Parked cars that touch a hedge, before a sensor with dense rows: the hedge makes their ends as
 // long as sides are.
 TEST(RoughEnds, OfAHedgeTurnNoParkedCars)

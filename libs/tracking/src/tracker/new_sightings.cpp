@@ -182,6 +182,7 @@ Sighting withLikelierAxes(Sighting sighting, const Neighbourhood& around,
     {
         sighting.measurement = turnedBy(sighting.measurement, 1);
         std::swap(sighting.side, sighting.end);
+        sighting.endAboveBumper = 0.0;
         sighting.front = 0.0;
     }
     if (sighting.front < 0.0)

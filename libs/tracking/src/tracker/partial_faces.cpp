@@ -22,48 +22,7 @@ constexpr double kBow = 0.25;      // m, the same of bumpers
 constexpr double kLeastRow = 0.3;  // m
 constexpr double kShortEnd = 1.4;  // m: hardly a car is as narrow
 constexpr double kSlopeOfShortEnd = 0.12;
-constexpr double kLongRow = 0.9;      // m
-constexpr double kBumper = 0.65;      // m above ground
-constexpr double kRecess = 1.0;       // m behind the end per m above the bumper,
-constexpr double kRecessBend = 4.0;   // and the more, the higher: bonnets are flat, 1/m
-constexpr double kLowVehicle = 1.75;  // m
-constexpr double kRoof = 0.5;         // m above the bumper, from which on no end begins
-constexpr double kTruckHeight = 2.2;  // m
-constexpr float kFar = 100.0F;        // m: nowhere on a vehicle
-constexpr std::size_t kFew = 3;       // hits that show how low a face is seen
-
-// The height above which all hits along the end seen lie, but for the lowest ones, m. Where the row
-// of them is long, those at the corner with a side seen tell nothing, as they may be its.
-double lowestOfEnd(const Measurement& m, double row, const Cluster& hits)
-{
-    constexpr float kInFront = 0.25F;  // m, of the face
-    constexpr float kBehind = 0.45F;   // m
-    constexpr float kCorner = 0.3F;    // m
-    const double sign = m.facesSeen.has(Face::Front) ? 1.0 : -1.0;
-    const Eigen::Matrix2f axes = rotation(m.box.heading).cast<float>();
-    const Eigen::Vector2f outwards = static_cast<float>(sign) * axes.col(0);
-    const Eigen::Vector2f left = axes.col(1);
-    const Eigen::Vector2f centre = m.box.centre().cast<float>();
-    const float half = static_cast<float>(0.5 * m.box.length);
-    const float beside = static_cast<float>(0.5 * m.box.width) - kCorner;
-    const bool isLong = row > kLongRow;
-    const float leftmost = isLong && m.facesSeen.has(Face::Left) ? beside : kFar;
-    const float rightmost = isLong && m.facesSeen.has(Face::Right) ? -beside : -kFar;
-    std::array<float, kFew> lowest;
-    lowest.fill(std::numeric_limits<float>::infinity());
-    for (std::size_t i = 0; i < hits.size(); ++i)
-    {
-        if (hits.height[i] >= lowest.back()) continue;
-        const Eigen::Vector2f place = Eigen::Vector2f(hits.x[i], hits.y[i]) - centre;
-        const float behind = half - outwards.dot(place);
-        const float across = left.dot(place);
-        if (behind < -kInFront || behind > kBehind) continue;
-        if (across > leftmost || across < rightmost) continue;
-        lowest.back() = hits.height[i];
-        std::sort(lowest.begin(), lowest.end());
-    }
-    return static_cast<double>(lowest.back());
-}
+constexpr std::size_t kFew = 3;  // hits that show how high a face is seen
 
 // Whether nothing stands in the gap past the front (end 1) or rear (0) of a box, nor before it.
 bool isOpenPast(const OrientedBox& box, int end, const Eigen::Vector2d& sensor,
@@ -198,29 +157,6 @@ double heightOfFaces(const Measurement& m, const Eigen::Vector2d& sensor, const 
         std::sort(highest.begin(), highest.end(), std::greater<>());
     }
     return static_cast<double>(highest.back());
-}
-
-Measurement withRecessOfEnd(const Sighting& sighting, const HitsAtOneTime& seen)
-{
-    Measurement m = sighting.measurement;
-    const bool heightsKnown = seen.hits->heights != 0;
-    if (!heightsKnown || !m.facesSeen.seesEnd() || sighting.height > kTruckHeight) return m;
-    const double above = lowestOfEnd(m, sighting.end.metres, *seen.each) - kBumper;
-    if (!(above > 0.0) || !std::isfinite(above)) return m;
-    if (above > kRoof && m.facesSeen.seesSide())
-    {
-        // The edge of what hides the rest, across the roof.
-        const Face end = m.facesSeen.has(Face::Front) ? Face::Front : Face::Back;
-        m.facesSeen.remove(end);
-        m.hiddenEnds.add(end);
-        return m;
-    }
-    const double bend = sighting.height < kLowVehicle ? kRecessBend : 0.0;
-    const double sigma = above * (kRecess + bend * above);
-    const Vector5d change =
-        byFace(rotation(m.box.heading), 0, m.facesSeen.has(Face::Front) ? 1 : 0);
-    m.covariance += sigma * sigma * change * change.transpose();
-    return m;
 }
 
 }  // namespace vdamf

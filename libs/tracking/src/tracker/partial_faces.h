@@ -7,6 +7,9 @@
 
 namespace vdamf
 {
+inline constexpr double kLowVehicle = 1.75;  ///< m: of cars, whose ends are bowed and low
+inline constexpr double kTruckHeight = 2.2;  ///< m, from which on ends are upright
+
 /// The measurement of a sighting with a box that is as long, and as wide, as the row of hits along
 /// it where both ends are hidden: all that is known of them is that the row is between them.
 Measurement withRowsBetweenHiddenEnds(const Sighting& sighting);
@@ -30,10 +33,6 @@ Measurement withTurnOfPieces(const Sighting& sighting);
 
 /// The same with the heading as uncertain as parts hit a revolution apart leave it.
 Measurement withTurnOfParts(const Sighting& sighting, const HitsAtOneTime& seen);
-
-/// The measurement of a sighting with its end as uncertain as hits above the bumper leave it: on
-/// a bonnet or a windscreen they lie behind the end. What is as high as a truck is upright.
-Measurement withRecessOfEnd(const Sighting& sighting, const HitsAtOneTime& seen);
 
 /// Of the hits on the faces seen, all but the two highest, above the ground, m; 0 where heights are
 /// not known.

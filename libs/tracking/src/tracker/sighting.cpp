@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "tracker/closed_end.h"
+#include "tracker/end_above_bumper.h"
 #include "tracker/ends_in_view.h"
 #include "tracker/front_by_shape.h"
 #include "tracker/layers_of_end.h"
@@ -252,7 +253,8 @@ Sighting sightingOf(const SegmentedFrame& frame, const std::vector<std::size_t>&
     m = withTurnOfLayers(s, seen);
     m = withTurnOfPieces(s);
     m = withTurnOfParts(s, seen);
-    m = withRecessOfEnd(s, seen);
+    s.endAboveBumper = endAboveBumper(s, seen);
+    m = withRecessOfEnd(s);
     s.faceHeight = heightOfFaces(s.measurement, sensor, seen);
     s.isBusEnd = isClosedEnd(s, seen);
     s.front = frontByShape(s, seen);

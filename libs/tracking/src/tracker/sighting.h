@@ -73,13 +73,14 @@ struct Sighting
     /// Of the hits that lie on a face seen, all but the two highest, above the ground, m; 0 where
     /// heights are not known. Trees over a car have none there.
     double faceHeight = 0.0;
-    FaceRow side, end;        ///< of the faces towards the sensor
-    double groundZ = 0.0;     ///< local ground, m
-    double height = 0.0;      ///< of the highest hit above it, m
-    double overHits = 0.0;    ///< what is likely to be above that, between two rows of hits, m
-    bool isRoofSeen = false;  ///< rays pass closely over the highest hit
-    bool areParts = false;    ///< hit at both ends of a revolution
-    bool isCut = false;       ///< as of its hits
+    FaceRow side, end;            ///< of the faces towards the sensor
+    double groundZ = 0.0;         ///< local ground, m
+    double height = 0.0;          ///< of the highest hit above it, m
+    double overHits = 0.0;        ///< what is likely to be above that, between two rows of hits, m
+    double endAboveBumper = 0.0;  ///< of the lowest hits on its end, m; 0 where nothing tells
+    bool isRoofSeen = false;      ///< rays pass closely over the highest hit
+    bool areParts = false;        ///< hit at both ends of a revolution
+    bool isCut = false;           ///< as of its hits
     /// Log odds, by the shape, that the front lies where the measurement's heading points.
     double front = 0.0;
     bool isBusEnd = false;  ///< the end seen is closed as a bus's is

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tracker/end_above_bumper.h"
 #include "tracker/ends_in_view.h"
 #include "tracker/existence.h"
 #include "tracker/faceless.h"
@@ -226,6 +227,7 @@ Track sightedTrack(Track track, const Sighting& seen, const Neighbourhood& aroun
     else
         m = withoutShortUpperEnds(m, foretold.box());
     m = withoutShadowEdges(m, foretold, sighting.around.centre());
+    m = withEndAsForetold(m, sighting, foretold);
     track.measurement = m;
     track.hits = m.hits;
     track.areParts = sighting.areParts;

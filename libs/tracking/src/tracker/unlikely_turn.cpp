@@ -27,6 +27,7 @@ std::optional<Sighting> turnedToKnownAxes(const Sighting& sighting, const Vehicl
                                     sighting.measurement.box.heading);
     std::swap(next.around.length, next.around.width);
     std::swap(next.side, next.end);
+    next.endAboveBumper = 0.0;
     next.front = 0.0;
     return next;
 }
