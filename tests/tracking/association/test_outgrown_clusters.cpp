@@ -121,7 +121,23 @@ TEST(OutgrownClusters, ACarOfUnknownLengthKeepsWhatGoesOnPastItsFront)
     EXPECT_EQ(parts->rest.size(), 25U);
     known.lengthSigma = 0.1;
     known.endSigma = {0.05, 0.1};
-    EXPECT_EQ(cut(both, known)->vehicles[0].size(), 40U) << "it ends there";
+    const auto sure = cut(both, known);
+    ASSERT_TRUE(sure);
+    EXPECT_EQ(sure->vehicles[0].size(), 40U) << "it ends there";
+}
+
+// The bush that is cut off stands beyond its front, which is known.
+TEST(OutgrownClusters, ACarOfUnknownLengthHasNothingBehindTheEndThatIsKnown)
+{
+    Cluster both = carAlone();
+    addLine(both, {14.7F, -3.2F}, {18.0F, -3.2F}, 33);
+    PredictedTarget known = car();
+    known.lengthSigma = 0.6;
+    known.endSigma = {0.6, 0.05};
+    const auto parts = cut(both, known);
+    ASSERT_TRUE(parts);
+    EXPECT_EQ(parts->vehicles[0].size(), 40U);
+    EXPECT_EQ(parts->rest.size(), 33U);
 }
 
 TEST(OutgrownClusters, NotByWhatIsNotKnown)

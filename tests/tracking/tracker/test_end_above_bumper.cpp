@@ -114,7 +114,7 @@ TEST(EndAboveBumper, InsideOfWhereItIsForetoldItIsAsUncertainAsThat)
     EXPECT_EQ(sigmaOfRearSeen(0.5, 0.6), 0.0) << "hits on the bumper show it";
 }
 
-TEST(EndAboveBumper, AsForetoldWhicheverWayTheMeasurementPoints)
+TEST(EndAboveBumper, AsForetoldOfAFrontToo)
 {
     Sighting front = rearSeen(1.8);
     front.endAboveBumper = 0.1;
@@ -130,6 +130,10 @@ TEST(EndAboveBumper, AsForetoldWhicheverWayTheMeasurementPoints)
     byFront(3) = -0.5;
     const Matrix5d added = m.covariance - front.measurement.covariance;
     EXPECT_NEAR(byFront.dot(added * byFront), 0.5 * 0.5, 1e-9);
+    // One that lies across shows no end of it.
+    foretold.mean(kHeading) = 0.5 * kPi;
+    EXPECT_EQ(withEndAsForetold(front.measurement, front, foretold).covariance,
+              front.measurement.covariance);
 }
 
 }  // namespace

@@ -61,7 +61,10 @@ TEST(NearEnd, StaysWhereNothingLiesBeforeIt)
     }
     // What lies behind the far end tells nothing of the near one.
     EXPECT_EQ(withNearEndOfRow(sideSeen(21.0, 30.0)).box.length, 3.5);
-    // Without a side there is no row of it.
+    // Without a side there is no row of it, and perhaps none with one.
+    Sighting none = sideSeen(20.0, 24.4);
+    none.side = {};
+    EXPECT_EQ(withNearEndOfRow(none).box.length, 3.5);
     Sighting rear = sideSeen(20.0, 24.4);
     rear.measurement.facesSeen.remove(Face::Right);
     EXPECT_EQ(withNearEndOfRow(rear).box.length, 3.5);

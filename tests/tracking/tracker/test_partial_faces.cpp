@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <utility>
 
 #include "tracking/tracker/rear_seen.h"
 
@@ -112,6 +111,8 @@ TEST(PartialFaces, ASideTooLongForACarEndsAtItsGap)
     Sighting car = rearAndSideSeen(4.6);
     car.side = {3.0, 30.0, {21.5, 0.9}};
     EXPECT_EQ(withinRowOfSide(car, blocked).box.length, 4.6);
+    Sighting none = rearAndSideSeen(5.8);
+    EXPECT_EQ(withinRowOfSide(none, blocked).box.length, 5.8);
     Sighting whole = rearAndSideSeen(5.8);
     whole.side = {5.6, 30.0, {22.9, 0.9}};
     EXPECT_TRUE(withinRowOfSide(whole, blocked).hiddenEnds.empty());

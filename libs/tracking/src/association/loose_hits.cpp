@@ -33,6 +33,14 @@ bool mayHaveLooseHits(const PredictedTarget& target, const AssociationOptions& o
            target.positionSigma.maxCoeff() <= options.surfaceSigma;
 }
 
+// Loose hits are too few to tell that it is longer.
+VehicleSurface closedSurfaceOf(PredictedTarget target, const Eigen::Vector2d& sensor,
+                               const AssociationOptions& options)
+{
+    target.endSigma.setConstant(PredictedTarget::kUnknown);
+    return {target, sensor, options};
+}
+
 double longestLag(const Cluster& hits)
 {
     double lag = 0.0;
@@ -55,7 +63,7 @@ std::vector<Cluster> looseHitsOn(const std::vector<PredictedTarget>& targets,
     {
         const PredictedTarget& target = targets[j];
         if (assignment[j].empty() || !mayHaveLooseHits(target, options)) continue;
-        const VehicleSurface surface(target, sensor, options);
+        const VehicleSurface surface = closedSurfaceOf(target, sensor, options);
         const double reach = 0.5 * std::hypot(target.box.length, target.box.width) +
                              std::hypot(options.surfaceSigma, target.positionSigma.maxCoeff()) +
                              lag * target.velocity.norm();
@@ -76,7 +84,7 @@ bool anyLiesOn(const PredictedTarget& target, const Cluster& hits, const Eigen::
                const AssociationOptions& options)
 {
     if (!mayHaveLooseHits(target, options)) return false;
-    const VehicleSurface surface(target, sensor, options);
+    const VehicleSurface surface = closedSurfaceOf(target, sensor, options);
     for (std::size_t i = 0; i < hits.size(); ++i)
         if (surface.has(surface.placeOf(hits, i))) return true;
     return false;

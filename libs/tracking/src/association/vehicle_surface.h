@@ -25,8 +25,7 @@ public:
           centre_(vehicle.box.centre()),
           velocity_(vehicle.velocity),
           toBox_(rotation(vehicle.box.heading).transpose()),
-          view_(toBoxFrame(vehicle.box, sensor)),
-          isLengthSure_(vehicle.lengthSigma < kSureSize)
+          view_(toBoxFrame(vehicle.box, sensor))
     {
         const Eigen::Vector2d slack(options.lengthSlack, options.widthSlack);
         const Eigen::Vector2d sizeSigma(vehicle.lengthSigma, vehicle.widthSigma);
@@ -50,11 +49,9 @@ public:
         weights_.row(1).setConstant(weightOf(vehicle.positionSigma.y()));
         for (int end = 0; end < 2; ++end)
         {
-            const bool isEndUnsure =
-                !isLengthSure_ && vehicle.endSigma(end) < PredictedTarget::kUnknown;
-            const double along = vehicle.positionSigma.x();
-            weights_(0, end) =
-                weightOf(isEndUnsure ? std::max(along, vehicle.endSigma(end)) : along);
+            const double sigma = vehicle.endSigma(end);
+            isOpen_[end] = sigma >= kSureSize && sigma < PredictedTarget::kUnknown;
+            weights_(0, end) = weightOf(isOpen_[end] ? sigma : vehicle.positionSigma.x());
         }
     }
 
@@ -83,8 +80,8 @@ public:
 
     /// Whether a hit there is the vehicle's.
     // Behind the faces that look away from the sensor the vehicle hides what there is of it, so
-    // what is seen there is not its own, unless it may be longer. Elsewhere its hits scatter about
-    // its box.
+    // what is seen there is not its own, unless it may be longer at that end. Elsewhere its hits
+    // scatter about its box.
     bool has(const Eigen::Vector2d& place) const
     {
         double squares = 0.0;
@@ -94,8 +91,9 @@ public:
             if (out <= 0.0) continue;
             const bool isBehind =
                 std::abs(view_(axis)) > half_(axis) && view_(axis) * place(axis) < 0.0;
-            if (isBehind && (axis == 1 || isLengthSure_)) return false;
-            squares += out * out * weights_(axis, place(axis) > 0.0 ? 1 : 0);
+            const int end = place(axis) > 0.0 ? 1 : 0;
+            if (isBehind && !(axis == 0 && isOpen_[end])) return false;
+            squares += out * out * weights_(axis, end);
         }
         return squares < 1.0;
     }
@@ -105,8 +103,8 @@ private:
     Eigen::Vector2d centre_;
     Eigen::Vector2d velocity_;
     Eigen::Matrix2d toBox_;
-    Eigen::Vector2d view_;  // of the sensor, in the box
-    bool isLengthSure_;
+    Eigen::Vector2d view_;     // of the sensor, in the box
+    bool isOpen_[2];           // rear and front, where it may be longer
     Eigen::Matrix2d weights_;  // of each axis' ends, inverse variances, 1/m^2
     Eigen::Vector2d most_;     // extents of a cluster that is the vehicle's alone, m
     Eigen::Array2d lowest_;    // places of its hits along and across, m

@@ -172,7 +172,10 @@ bool isInside(const Measurement& m, const VehicleState& predicted)
     constexpr double kSurely = 2.0;  // sigmas
     if (!locatesLength(m)) return false;
     const auto isEndInside = [&](int end)
-    { return outsideOf(predicted.box(), m.box, 0, end) < -kSurely * predicted.faceSigma(0, end); };
+    {
+        const double sigma = std::hypot(predicted.faceSigma(0, end), placeSigma(m, 0, end));
+        return outsideOf(predicted.box(), m.box, 0, end) < -kSurely * sigma;
+    };
     return isEndInside(0) && isEndInside(1);
 }
 

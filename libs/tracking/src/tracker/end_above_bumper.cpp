@@ -101,7 +101,10 @@ Measurement withEndAsForetold(const Measurement& measurement, const Sighting& si
     constexpr double kRise = 5.0;      // and that per m above the bumper
     constexpr double kMost = 1.2;      // m: all of a bonnet
     const double above = sighting.endAboveBumper;
-    if (above == 0.0 || !measurement.facesSeen.seesEnd()) return measurement;
+    const double turned = wrapAngle(measurement.box.heading - foretold.mean(kHeading));
+    // Across the target it is no end of its.
+    if (above == 0.0 || !measurement.facesSeen.seesEnd() || std::abs(turned) > 0.25 * kPi)
+        return measurement;
     const double inside =
         insideOf(foretold, measurement.box, 0, endSeen(measurement), sighting.around.centre())
             .metres;

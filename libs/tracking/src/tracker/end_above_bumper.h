@@ -15,9 +15,10 @@ double endAboveBumper(const Sighting& sighting, const HitsAtOneTime& seen);
 /// they may be the edge of what hides the rest, across the roof: then the end is hidden.
 Measurement withRecessOfEnd(const Sighting& sighting);
 
-/// A measurement of a target by such a sighting. Where its end lies inside of the box foretold, as
-/// far as hits so high may lie behind an end, it tells that it is farther out and not where: it is
-/// as uncertain as it lies inside.
+/// A measurement of a target by such a sighting, that points as the target does (alignedWith()).
+/// Where its end lies inside of the box foretold, no farther than hits so high may lie behind an
+/// end, it tells that it is farther out and not where: it is as much more uncertain as it lies
+/// inside.
 Measurement withEndAsForetold(const Measurement& measurement, const Sighting& sighting,
                               const VehicleState& foretold);
 

@@ -34,7 +34,8 @@ bool isFarInside(const Measurement& m, const VehicleState& foretold, int axis, i
 }
 
 // Whether it shows a face. A piece between what hides the rest of it may be any edge of the body,
-// where it is far inside of the face that it is taken for.
+// where it is far inside of the face that it is taken for; of one that lies across that is not
+// told, as its faces are others.
 bool showsFace(const Sighting& sighting, const VehicleState& foretold)
 {
     const Measurement m = alignedWith(sighting.measurement, foretold.mean(kHeading));

@@ -10,8 +10,8 @@ Measurement withNearEndOfRow(const Sighting& sighting)
     constexpr double kBeyond = 0.2;  // m
     constexpr double kSigma = 0.15;  // m: corners are round
     Measurement m = sighting.measurement;
-    if (!m.facesSeen.seesSide()) return m;
     const FaceRow& row = sighting.side;
+    if (!m.facesSeen.seesSide() || row.hits == 0.0) return m;
     const int end = toBoxFrame(m.box, sighting.sensor).x() > 0.0 ? 1 : 0;
     const double near = signOfEnd(end);
     const double begins = near * toBoxFrame(m.box, row.middle).x() + 0.5 * row.metres;

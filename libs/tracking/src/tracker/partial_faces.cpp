@@ -76,7 +76,8 @@ Measurement withinRowOfSide(const Sighting& sighting, const SegmentedFrame& fram
     Measurement m = sighting.measurement;
     const FaceRow& row = sighting.side;
     const bool isLow = sighting.height < kLowVehicle;
-    if (!m.facesSeen.seesSide() || m.box.length < kLong || (!isLow && row.metres < kWhole))
+    if (!m.facesSeen.seesSide() || row.hits == 0.0 || m.box.length < kLong ||
+        (!isLow && row.metres < kWhole))
         return m;
     const double far = toBoxFrame(m.box, sighting.sensor).x() > 0.0 ? -1.0 : 1.0;
     const double ends = far * toBoxFrame(m.box, row.middle).x() + 0.5 * row.metres;

@@ -8,7 +8,7 @@
 namespace vdamf
 {
 inline constexpr double kLowVehicle = 1.75;  ///< m: of cars, whose ends are bowed and low
-inline constexpr double kTruckHeight = 2.2;  ///< m, from which on ends are upright
+inline constexpr double kTruckHeight = 2.2;  ///< m: ends of what is higher are upright
 
 /// The measurement of a sighting with a box that is as long, and as wide, as the row of hits along
 /// it where both ends are hidden: all that is known of them is that the row is between them.

@@ -58,7 +58,7 @@ struct FaceRow
 {
     double metres = 0.0;  ///< from the first to the last
     double hits = 0.0;
-    Eigen::Vector2d middle = Eigen::Vector2d::Zero();  ///< between first and last, m
+    Eigen::Vector2d middle = Eigen::Vector2d::Zero();  ///< of the first and the last hit, m
 };
 
 /// Hits of one target in one frame, and what they measured, relative to the frame's origin.

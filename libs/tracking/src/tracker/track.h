@@ -120,7 +120,8 @@ struct Track
     Eigen::Vector2d endSigma() const
     {
         const Eigen::Vector2d along = rotation(state.mean(kHeading)).col(0);
-        const double lasting = std::sqrt(along.dot(lastingError.topLeftCorner<2, 2>() * along));
+        const double lasting =
+            std::sqrt(std::max(0.0, along.dot(lastingError.topLeftCorner<2, 2>() * along)));
         return {std::hypot(state.faceSigma(0, 0), lasting),
                 std::hypot(state.faceSigma(0, 1), lasting)};
     }
