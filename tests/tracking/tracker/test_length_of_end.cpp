@@ -120,6 +120,15 @@ TEST(LengthOfEnd, HitsBeyondAGuessedLengthTellThatItIsLongerAndNoMore)
     EXPECT_NEAR(after.mean(kX) - 0.5 * after.mean(kLength), 15.5, 1e-9) << "its rear stays";
 }
 
+TEST(LengthOfEnd, NotWhereTheHiddenEndWasInViewJustBefore)
+{
+    TruckAhead placed;
+    placed.foretold.covariance(kX, kLength) = placed.foretold.covariance(kLength, kX) = -1.95;
+    placed.foretold.covariance(kX, kX) = 1.0;
+    ASSERT_LT(placed.foretold.faceSigma(0, 1), 0.3);
+    EXPECT_EQ(placed.after().mean(kLength), 9.55);
+}
+
 TEST(LengthOfEnd, NotWhereTheLengthIsToldNorHitsReachLittleFarther)
 {
     TruckAhead told;

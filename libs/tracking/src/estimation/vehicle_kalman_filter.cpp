@@ -16,8 +16,8 @@
 #include <type_traits>
 #include <utility>
 
-#include "estimation/by_size.h"
 #include "estimation/fixed_point.h"
+#include "estimation/length_apart.h"
 #include "estimation/transition.h"
 #include "types/cholesky.h"
 
@@ -60,21 +60,6 @@ double yawRateVarianceBySecondOrder(const VehicleState& state)
 }
 
 constexpr double kNowhere = 10.0;  // m
-
-// The state with its length known apart from its motion: told from a point of the box, what else
-// is known holds whatever the length is. Where a vehicle's heading jitters and its rear does not,
-// motion seems to tell of a long way between the two; that is not believed.
-VehicleState withLengthApart(const VehicleState& state, double fixedPoint)
-{
-    const StateVector byLength = bySize(state, 0, fixedPoint);
-    // A P A^T + P_LL b b^T, where b is byLength and A = I - b e_L^T leaves all but the length.
-    const StateVector withLength =
-        state.covariance.col(kLength) - state.covariance(kLength, kLength) * byLength;
-    const StateMatrix less = byLength * withLength.transpose();
-    VehicleState next = state;
-    next.covariance -= less + less.transpose();
-    return next;
-}
 }  // namespace
 
 // The part of a state that is measured, when it is measured: pose and length of a box. MRPT's

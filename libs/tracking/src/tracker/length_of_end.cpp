@@ -54,6 +54,9 @@ std::optional<AssumedSize> lengthGoingOn(const Track& track, const Sighting& sig
     const AssumedSize before{foretold.mean(kLength),
                              std::sqrt(foretold.covariance(kLength, kLength))};
     if (before.sigma < kTold) return std::nullopt;
+    // An end that is known better than the other one was in view: it is where it is foretold.
+    const int hidden = m.hiddenEnds.has(Face::Front) ? 1 : 0;
+    if (foretold.faceSigma(0, hidden) < foretold.faceSigma(0, 1 - hidden)) return std::nullopt;
     const double least = before.metres + 2.0 * sizeSigma;
     const bool isGuessed = !track.told.length && before.sigma > kGuessed;
     const bool isTakenIn =
