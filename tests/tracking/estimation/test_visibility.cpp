@@ -245,6 +245,13 @@ TEST(AlignedWith, TurnsFrontAndFaces)
     EXPECT_EQ(toString(turned.facesSeen), "FR");
 }
 
+TEST(LiesAcross, FromHalfwayToARightAngleOn)
+{
+    const Measurement m = measured({1, 2, 0.1, 4.5, 1.8}, faces({Face::Back}));
+    for (const double along : {0.1, 0.8, 0.1 + kPi}) EXPECT_FALSE(liesAcross(m, along)) << along;
+    for (const double across : {0.95, 1.7, -1.4}) EXPECT_TRUE(liesAcross(m, across)) << across;
+}
+
 // Half of a car's rear beside a pole is small; the whole rear is a car's.
 TEST(FaceErrors, OfEndsThatAreBothHiddenCountWhereHitsReachBeyondThem)
 {

@@ -287,4 +287,9 @@ Measurement alignedWith(const Measurement& m, double heading)
     return turnedBy(m, std::abs(wrapAngle(m.box.heading - heading)) <= 0.5 * kPi ? 0 : 2);
 }
 
+bool liesAcross(const Measurement& m, double heading)
+{
+    return std::abs(std::remainder(m.box.heading - heading, kPi)) > 0.25 * kPi;
+}
+
 }  // namespace vdamf

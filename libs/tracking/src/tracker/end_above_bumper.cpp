@@ -10,6 +10,7 @@
 #include "tracker/inside_of.h"
 #include "tracker/partial_faces.h"
 #include "types/box_changes.h"
+#include "vdamf/tracking/estimation/visibility.h"
 
 namespace vdamf
 {
@@ -101,9 +102,8 @@ Measurement withEndAsForetold(const Measurement& measurement, const Sighting& si
     constexpr double kRise = 5.0;      // and that per m above the bumper
     constexpr double kMost = 1.2;      // m: all of a bonnet
     const double above = sighting.endAboveBumper;
-    const double turned = wrapAngle(measurement.box.heading - foretold.mean(kHeading));
-    // Across the target it is no end of its.
-    if (above == 0.0 || !measurement.facesSeen.seesEnd() || std::abs(turned) > 0.25 * kPi)
+    if (above == 0.0 || !measurement.facesSeen.seesEnd() ||
+        liesAcross(measurement, foretold.mean(kHeading)))
         return measurement;
     const double inside =
         insideOf(foretold, measurement.box, 0, endSeen(measurement), sighting.around.centre())

@@ -39,7 +39,7 @@ bool isFarInside(const Measurement& m, const VehicleState& foretold, int axis, i
 bool showsFace(const Sighting& sighting, const VehicleState& foretold)
 {
     const Measurement m = alignedWith(sighting.measurement, foretold.mean(kHeading));
-    const bool isAcross = std::abs(wrapAngle(m.box.heading - foretold.mean(kHeading))) > 0.25 * kPi;
+    const bool isAcross = liesAcross(m, foretold.mean(kHeading));
     const Eigen::Vector2d hits = sighting.around.centre();
     for (const int axis : {0, 1})
         for (const int end : {0, 1})

@@ -152,4 +152,7 @@ Measurement turnedBy(const Measurement& measurement, int quarters);
 /// The same measurement with its front on the side of `heading`.
 Measurement alignedWith(const Measurement& measurement, double heading);
 
+/// Whether it lies across the heading (rad) rather than along it: its faces are others then.
+bool liesAcross(const Measurement& measurement, double heading);
+
 }  // namespace vdamf
