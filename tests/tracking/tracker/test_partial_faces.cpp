@@ -73,6 +73,39 @@ TEST(PartialFaces, ASideTooShortForACarDoesNotTellItsFarEnd)
     EXPECT_TRUE(withoutEndOfShortSide(cut).hiddenEnds.empty()) << "a side of anything";
 }
 
+TEST(PartialFaces, ATruckGoesOnPastTheRowOnItsSide)
+{
+    // 6 m by the filter, of which two hits behind the rear show the first 2.4 m.
+    Sighting truck = rearAndSideSeen(6.0);
+    truck.measurement.box.width = 2.5;
+    truck.height = 3.0;
+    truck.side = {2.4, 5.0, {21.2, 1.25}};
+    EXPECT_EQ(toString(withoutEndPastRowOfTruck(truck).hiddenEnds), "F");
+    EXPECT_EQ(withoutEndPastRowOfTruck(truck).box.length, 6.0);
+    Sighting ahead = truck;
+    ahead.sensor = {50.0, 0.0};
+    ahead.measurement.facesSeen.remove(Face::Back);
+    ahead.measurement.facesSeen.add(Face::Front);
+    ahead.side.middle.x() = 24.8;
+    EXPECT_EQ(toString(withoutEndPastRowOfTruck(ahead).hiddenEnds), "B");
+    Sighting bare = truck;
+    bare.side = {};
+    EXPECT_EQ(toString(withoutEndPastRowOfTruck(bare).hiddenEnds), "F");
+
+    Sighting whole = truck;
+    whole.side = {5.2, 40.0, {22.6, 1.25}};
+    EXPECT_TRUE(withoutEndPastRowOfTruck(whole).hiddenEnds.empty()) << "the row reaches its end";
+    Sighting car = truck;
+    car.measurement.box.width = 1.8;
+    EXPECT_TRUE(withoutEndPastRowOfTruck(car).hiddenEnds.empty());
+    Sighting low = truck;
+    low.height = 1.6;
+    EXPECT_TRUE(withoutEndPastRowOfTruck(low).hiddenEnds.empty()) << "a car beside a hedge";
+    Sighting side = truck;
+    side.measurement.facesSeen.remove(Face::Back);
+    EXPECT_TRUE(withoutEndPastRowOfTruck(side).hiddenEnds.empty()) << "a side of anything";
+}
+
 TEST(PartialFaces, ASideTooLongForACarEndsAtItsGap)
 {
     // The next one's hits begin 1.6 m behind a row of 4 m, and something stands before that gap.

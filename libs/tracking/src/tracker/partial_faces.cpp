@@ -36,6 +36,22 @@ bool isOpenPast(const OrientedBox& box, int end, const Eigen::Vector2d& sensor,
             return profile.at(std::atan2(ray.y(), ray.x())) > ray.norm() + kFreeRange;
         });
 }
+
+// The end of a box that the sensor does not face, and how far it lies past the row of hits on its
+// side, m.
+struct FarEnd
+{
+    double sign;  // along the heading
+    Face face;
+    double pastRow;
+};
+
+FarEnd farEndOf(const OrientedBox& box, const FaceRow& side, const Eigen::Vector2d& sensor)
+{
+    const double sign = toBoxFrame(box, sensor).x() > 0.0 ? -1.0 : 1.0;
+    const double rowEnds = sign * toBoxFrame(box, side.middle).x() + 0.5 * side.metres;
+    return {sign, sign > 0.0 ? Face::Front : Face::Back, 0.5 * box.length - rowEnds};
+}
 }  // namespace
 
 Measurement withRowsBetweenHiddenEnds(const Sighting& sighting)
@@ -79,26 +95,37 @@ Measurement withinRowOfSide(const Sighting& sighting, const SegmentedFrame& fram
     if (!m.facesSeen.seesSide() || row.hits == 0.0 || m.box.length < kLong ||
         (!isLow && row.metres < kWhole))
         return m;
-    const double far = toBoxFrame(m.box, sighting.sensor).x() > 0.0 ? -1.0 : 1.0;
-    const double ends = far * toBoxFrame(m.box, row.middle).x() + 0.5 * row.metres;
-    const double beyond = 0.5 * m.box.length - ends;
-    if (beyond < kBeyond) return m;
-    const Face farEnd = far > 0.0 ? Face::Front : Face::Back;
+    const FarEnd far = farEndOf(m.box, row, sighting.sensor);
+    if (far.pastRow < kBeyond) return m;
     OrientedBox within = m.box;
-    const Eigen::Vector2d shift = -0.5 * far * beyond * rotation(m.box.heading).col(0);
+    const Eigen::Vector2d shift = -0.5 * far.sign * far.pastRow * rotation(m.box.heading).col(0);
     within.x += shift.x();
     within.y += shift.y();
-    within.length -= beyond;
+    within.length -= far.pastRow;
     const double headingSigma = std::sqrt(m.covariance(2, 2));
     const bool isGrazed =
-        grazedEnds(within, m.facesSeen, sighting.sensor, headingSigma).has(farEnd);
-    m.upperEnds.remove(farEnd);
-    if (isGrazed || !isOpenPast(within, far > 0.0 ? 1 : 0, sighting.sensor, frame.profile))
-        m.hiddenEnds.add(farEnd);
+        grazedEnds(within, m.facesSeen, sighting.sensor, headingSigma).has(far.face);
+    m.upperEnds.remove(far.face);
+    if (isGrazed || !isOpenPast(within, far.sign > 0.0 ? 1 : 0, sighting.sensor, frame.profile))
+        m.hiddenEnds.add(far.face);
     else
-        m.hiddenEnds.remove(farEnd);
+        m.hiddenEnds.remove(far.face);
     // Where both ends are hidden, the box is what withRowsBetweenHiddenEnds() makes it.
     if (locatedFaces(m).seesEnd()) m.box = within;
+    return m;
+}
+
+Measurement withoutEndPastRowOfTruck(const Sighting& sighting)
+{
+    constexpr double kPast = 1.0;         // m
+    constexpr double kNarrowest = 2.2;    // m, of an end of a truck or bus
+    constexpr double kLeastHeight = 2.4;  // m
+    Measurement m = sighting.measurement;
+    const bool isTrucks = sighting.height >= kLeastHeight && m.box.width >= kNarrowest &&
+                          m.box.width <= kWidestTruck && !isCarsEnd(m.box.width, sighting.height);
+    if (!isTrucks || !m.facesSeen.seesEnd() || !m.facesSeen.seesSide()) return m;
+    const FarEnd far = farEndOf(m.box, sighting.side, sighting.sensor);
+    if (sighting.side.hits == 0.0 || far.pastRow > kPast) m.hiddenEnds.add(far.face);
     return m;
 }
 

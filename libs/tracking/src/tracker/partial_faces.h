@@ -25,6 +25,11 @@ Measurement withoutEndOfShortSide(const Sighting& sighting);
 /// much farther it goes on is not told.
 Measurement withinRowOfSide(const Sighting& sighting, const SegmentedFrame& frame);
 
+/// The measurement of the end and the side of a truck or bus, whose far end is not told where the
+/// row of hits on its side does not reach it: rays meet the side too far apart at a grazing angle,
+/// and the filter alone then leaves the thin end out.
+Measurement withoutEndPastRowOfTruck(const Sighting& sighting);
+
 /// The measurement of a sighting with the heading as uncertain as pieces of faces leave it: bodies
 /// are round, so that the shorter the row of hits, the more the line through it may be turned.
 /// Where a face shows from end to end, both halves of it turn the line alike; a row of an end that

@@ -248,6 +248,8 @@ Sighting sightingOf(const SegmentedFrame& frame, const std::vector<std::size_t>&
     if (seen.goesOn) m = goingOnTowards(m, *seen.goesOn);
 
     m = withoutEndOfShortSide(s);
+    // What is new may be a bush over a car.
+    if (knownLengthWidth) m = withoutEndPastRowOfTruck(s);
     m = withRowsBetweenHiddenEnds(s);
     m = withTurnOfSideLayers(s, seen);
     m = withTurnOfLayers(s, seen);
