@@ -71,6 +71,32 @@ TEST(LengthOfEnd, NotOfWhatIsHardlyAVehicleNorOfAKnownWidth)
     EXPECT_LT(followed(van).mean(kLength), 5.5);
 }
 
+TEST(LengthOfEnd, APartOfAnEndThatIsWiderThanCarsIsATrucksIfItDrives)
+{
+    Track part = partOfARear();
+    part.highest = 2.1;
+    part.hypotheses->standingProbability = 0.0;
+    const auto drive = [&part](double width)
+    {
+        part.hypotheses->forEach(
+            [width](VehicleState& state)
+            {
+                state.mean(kSpeed) = 19.0;
+                state.width = width;
+                state.covariance(kSpeed, kSpeed) = 0.01;
+            });
+    };
+    drive(2.2);
+    EXPECT_LT(followed(part).mean(kLength), 5.5);
+    drive(2.35);
+    EXPECT_NEAR(followed(part).mean(kLength), 9.0, 1e-9);
+    part.judgement.probability = 0.4;
+    EXPECT_EQ(followed(part).mean(kLength), 5.0) << "hardly a vehicle";
+    part.judgement.probability = 0.9;
+    part.hypotheses->standingProbability = 1.0;
+    EXPECT_EQ(followed(part).mean(kLength), 5.0) << "a bush before a car";
+}
+
 // A truck ahead that drives at 8 m/s, of a length that its rear let guess and that an update by
 // hits which reach to 9.6 m has changed since it was `foretold`.
 struct TruckAhead

@@ -39,7 +39,8 @@ std::optional<AssumedSize> lengthBehindEnd(const Track& track, const VisibilityO
     const bool mayBeVehicle = track.judgement.probability > 0.5;
     if (!width && mayBeVehicle && track.tallest >= kTallFace) return kLengthOfTall;
     if (isCarsEnd(seems, track.highest)) return carLength(track.highest, width, options);
-    if (!width) return std::nullopt;
+    // What is seen of it is as wide at the least; what stands may be a bush before a car.
+    if (!width && !(mayBeVehicle && isSurelyDriving(*track.hypotheses))) return std::nullopt;
     return track.busRears >= kAgree ? kBusLength : lengthBehind(seems, track.highest, options);
 }
 
