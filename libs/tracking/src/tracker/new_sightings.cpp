@@ -178,18 +178,8 @@ Sighting withLikelierAxes(Sighting sighting, const Neighbourhood& around,
     { return placeTaken(as, sighting.height, sighting.sensor, around, kNew, options); };
     const double evidence = axesEvidence(sizeCues(sighting, m, sighting.height)) +
                             around.axesEvidence(m.box, kNew) + taken(turnedBy(m, 1)) - taken(m);
-    if (evidence < 0.0)
-    {
-        sighting.measurement = turnedBy(sighting.measurement, 1);
-        std::swap(sighting.side, sighting.end);
-        sighting.endAboveBumper = 0.0;
-        sighting.front = 0.0;
-    }
-    if (sighting.front < 0.0)
-    {
-        sighting.measurement = turnedBy(sighting.measurement, 2);
-        sighting.front = -sighting.front;
-    }
+    if (evidence < 0.0) sighting = turnedBy(std::move(sighting), 1);
+    if (sighting.front < 0.0) sighting = turnedBy(std::move(sighting), 2);
     return withHeadingOfNeighbours(std::move(sighting), around, kNew);
 }
 

@@ -22,6 +22,7 @@
 #include "types/hit_bounds.h"
 #include "types/lanes.h"
 #include "types/wide_lanes.h"
+#include "vdamf/tracking/estimation/visibility.h"
 
 namespace vdamf
 {
@@ -116,6 +117,23 @@ FaceRow rowOf(std::vector<RowHit>::iterator begin, std::vector<RowHit>::iterator
     return row;
 }
 }  // namespace
+
+Sighting turnedBy(Sighting sighting, int quarters)
+{
+    sighting.measurement = turnedBy(sighting.measurement, quarters);
+    sighting.around.heading = wrapAngle(sighting.around.heading + 0.5 * kPi * quarters);
+    if (quarters % 2 == 0)
+    {
+        if (quarters % 4 != 0) sighting.front = -sighting.front;
+        return sighting;
+    }
+    std::swap(sighting.around.length, sighting.around.width);
+    std::swap(sighting.side, sighting.end);
+    sighting.endAboveBumper = 0.0;
+    sighting.front = 0.0;
+    sighting.isBusEnd = false;
+    return sighting;
+}
 
 double heightOf(const Cluster& cluster)
 {

@@ -86,6 +86,10 @@ struct Sighting
     bool isBusEnd = false;  ///< the end seen is closed as a bus's is
 };
 
+/// The same hits, with the heading of the box counter-clockwise by quarter turns: the front lies
+/// elsewhere. After an odd number the side is the end, whose shape is not known.
+Sighting turnedBy(Sighting sighting, int quarters);
+
 /// Height of the highest hit above the local ground, m.
 double heightOf(const Cluster& cluster);
 

@@ -2,7 +2,6 @@
 #include "tracker/unlikely_turn.h"
 
 #include <cmath>
-#include <utility>
 
 #include "types/box_changes.h"
 #include "vdamf/tracking/estimation/visibility.h"
@@ -18,18 +17,11 @@ std::optional<Sighting> turnedToKnownAxes(const Sighting& sighting, const Vehicl
     const bool isKnown =
         axesProbability > kSure && foretold.covariance(kHeading, kHeading) < kTurning * kTurning;
     if (!isKnown) return std::nullopt;
-    const Measurement m = alignedWith(sighting.measurement, foretold.mean(kHeading));
-    const double turned = wrapAngle(m.box.heading - foretold.mean(kHeading));
-    if (std::abs(turned) < kAcross) return std::nullopt;
-    Sighting next = sighting;
-    next.measurement = turnedBy(m, turned > 0.0 ? 3 : 1);
-    next.around.heading = wrapAngle(next.around.heading + next.measurement.box.heading -
-                                    sighting.measurement.box.heading);
-    std::swap(next.around.length, next.around.width);
-    std::swap(next.side, next.end);
-    next.endAboveBumper = 0.0;
-    next.front = 0.0;
-    return next;
+    const double turned = wrapAngle(sighting.measurement.box.heading - foretold.mean(kHeading));
+    const bool isAcross = std::abs(std::remainder(turned, kPi)) > kAcross;
+    if (!isAcross) return std::nullopt;
+    // The quarter turn that brings it closest to the heading foretold.
+    return turnedBy(sighting, turned > 0.0 ? 3 : 1);
 }
 
 Measurement withUnlikelyTurn(const Measurement& measurement, const VehicleState& foretold,
