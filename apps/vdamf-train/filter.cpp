@@ -11,6 +11,7 @@
 #include "filter_clusters.h"
 #include "held_out.h"
 #include "outputs.h"
+#include "program.h"
 #include "vdamf/files/numbers.h"
 #include "vdamf/rawlog/filter_file.h"
 
