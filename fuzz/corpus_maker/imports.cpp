@@ -96,7 +96,7 @@ std::string annotated()
     const Street street = smallStreet("VLP-16", 1, 16.0);
     const auto scan = thinned(*street.observations.at(1), 50);
     bytes += serialized(*street.observations.at(0)) + serialized(*scan);
-    FrameResult frame{1.5e9, {}, 0, 0, 0};
+    FrameResult frame{1.5e9, {}, 0, 0, 0, {}};
     frame.tracks.resize(1);
     frame.tracks[0].id = 3;
     frame.tracks[0].status = TrackStatus::Confirmed;

@@ -29,7 +29,7 @@ FrameResult trackOn(const TruthRow& truth)
     report.facesSeen.add(Face::Back);
     report.covariance = 0.01 * Eigen::Matrix4d::Identity();
     report.lengthVariance = report.widthVariance = 0.1;
-    return {truth.time, {report}, 0, 0, 0};
+    return {truth.time, {report}, 0, 0, 0, {}};
 }
 
 std::string clusters()

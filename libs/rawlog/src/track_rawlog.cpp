@@ -40,7 +40,7 @@ TrackRawlogSummary runInHindsight(const TrackRawlogJob& job, const std::atomic<b
             if (firstReading) firstReading(kShareOfFirst * progress);
         };
         TrackRawlogJob first = job;
-        first.output = first.tracks = first.nis = std::nullopt;
+        for (auto* output : {&first.output, &first.tracks, &first.nis}) output->reset();
         TrackRawlogSummary summary = TrackingRun(first, take).run(stop);
         if (stop)
         {
