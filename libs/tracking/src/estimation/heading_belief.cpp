@@ -26,6 +26,9 @@ constexpr double kPartsRepeat = 2.6;
 constexpr double kMostBySizes = 5.0;
 // Nor does a shape outweigh a course that goes on.
 constexpr double kMostByShape = 4.0;
+// The axle does, but only where it is slow enough to reverse.
+constexpr double kMostByAxle = 7.0;
+constexpr double kReverse = 0.03;  // of what moves
 
 double withEvidence(double odds, double evidence, double frames, double repeats,
                     double mostEver = kCertain)
@@ -71,7 +74,6 @@ bool grown(const std::optional<FaceExtent>& before, const std::optional<FaceExte
 // Log odds that what moves does so with its front ahead.
 double frontEvidence(double forth, double fast)
 {
-    constexpr double kReverse = 0.03;       // of what moves
     constexpr double kFastReverse = 0.001;  // of what moves fast, or else its heading errs
     const double reverse = fast * kFastReverse + (1.0 - fast) * kReverse;
     const double ahead = forth * (1.0 - reverse) + (1.0 - forth) * reverse;
@@ -119,6 +121,7 @@ HeadingBelief HeadingBelief::after(const HeadingCues& cues) const
     const double before = isNew && axes_ * evidence < 0.0 ? 0.0 : axes_;
     next.axes_ = withEvidence(before, evidence, frames, repeatsOf(sizes), kMostBySizes);
     next.shape_ = withEvidence(shape_, cues.shape, frames, kRepeats, kMostByShape);
+    next.axle_ = withEvidence(axle_, cues.axle, frames, 1.0, kMostByAxle);
     next.neighbours_ = cues.neighbours;
     next.inLine_ = cues.inLine;
     const double forth = course_[0] - course_[2];
@@ -130,26 +133,43 @@ HeadingBelief HeadingBelief::after(const HeadingCues& cues) const
         next.course_[0] = either - logOfSum(0.0, -after);
         next.course_[2] = either - logOfSum(0.0, after);
     }
-    const Direction course = directionOf(cues.course ? cues.course->direction : 0.0);
-    for (std::size_t k = 0; cues.course && k < 4; ++k)
-    {
-        const double along = (k < 2 ? 1.0 : -1.0) * (k % 2 == 0 ? course.cos : course.sin);
-        const bool mayReverse =
-            cues.course->speed < kReverseSpeed && course_[k] - course_[(k + 2) % 4] > kKnown;
-        const bool fits = along > kSideways || (along < -kSideways && mayReverse);
-        if (!fits) next.course_[k] -= kCourseRate * dt;
-    }
+    if (cues.course) next.followCourse(*cues.course, dt);
     const double best = *std::max_element(next.course_.begin(), next.course_.end());
     for (double& log : next.course_) log = std::max(log - best, -kCertain);
     next.acrossFor_ = next.axesProbability() < 0.5 ? acrossFor_ + 1 : 0;
     return next;
 }
 
+// Log odds of the axle for a front k quarter turns ahead rather than behind.
+double HeadingBelief::byAxle(std::size_t k) const
+{
+    return k % 2 == 1 ? 0.0 : k == 0 ? axle_ : -axle_;
+}
+
+// Who may reverse has any course. Where the axle shows that it does, that is as likely as for any.
+void HeadingBelief::followCourse(const HeadingCues::Course& course, double dt)
+{
+    const Direction direction = directionOf(course.direction);
+    const std::array<double, 4> before = course_;
+    for (std::size_t k = 0; k < 4; ++k)
+    {
+        const double opposite = before[(k + 2) % 4];
+        const double along = (k < 2 ? 1.0 : -1.0) * (k % 2 == 0 ? direction.cos : direction.sin);
+        const bool isSlow = course.speed < kReverseSpeed;
+        const bool isShown = isSlow && byAxle(k) > kKnown;
+        const bool mayReverse = isShown || (isSlow && before[k] - opposite > kKnown);
+        const bool fits = along > kSideways || (along < -kSideways && mayReverse);
+        if (!fits) course_[k] -= kCourseRate * dt;
+        if (fits && isShown)
+            course_[k] = std::max(course_[k], opposite + std::log(kReverse / (1.0 - kReverse)));
+    }
+}
+
 std::array<double, 4> HeadingBelief::logs() const
 {
     std::array<double, 4> all = course_;
     for (std::size_t k = 1; k < 4; k += 2) all[k] -= axes_ + neighbours_;
-    const double told = shape_ + inLine_;
+    const double told = shape_ + inLine_ + axle_;
     if (told == 0.0) return all;
     // Whichever way it lies along its axis, both ways together are as likely as before.
     const double either = logOfSum(all[0], all[2]);
@@ -184,18 +204,19 @@ HeadingBelief HeadingBelief::turned(int quarters) const
         const double front = quarters % 4 == 0 ? 1.0 : -1.0;
         next.shape_ = front * shape_;
         next.inLine_ = front * inLine_;
+        next.axle_ = front * axle_;
     }
     return next;
 }
 
 double HeadingBelief::forwardProbability() const
 {
-    return 1.0 / (1.0 + std::exp(course_[2] - course_[0] - shape_ - inLine_));
+    return 1.0 / (1.0 + std::exp(course_[2] - course_[0] - axle_ - shape_ - inLine_));
 }
 
 double HeadingBelief::forwardProbabilityByCourse() const
 {
-    return 1.0 / (1.0 + std::exp(course_[2] - course_[0]));
+    return 1.0 / (1.0 + std::exp(course_[2] - course_[0] - axle_));
 }
 
 double HeadingBelief::forwardProbabilityByShape() const

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "tracker/front_by_axle.h"
 #include "tracker/neighbourhood.h"
 #include "tracker/steady_course.h"
 #include "tracker/track.h"
@@ -31,7 +32,7 @@ double shapeCue(const Sighting& sighting, double turned)
 }
 
 // What the sighting just taken in and the path that it ends tell of the front.
-HeadingCues cuesOf(const Track& track, const Sighting& sighting)
+HeadingCues cuesOf(const Track& track, const Sighting& sighting, const MotionOptions& motion)
 {
     HeadingCues cues = sizeCues(sighting, *track.measurement, track.height);
     const double turned = sighting.measurement.box.heading - track.state.mean(kHeading);
@@ -43,6 +44,8 @@ HeadingCues cuesOf(const Track& track, const Sighting& sighting)
         cues.forth = 0.5 * std::erfc(-speed / spread);
         cues.fast = 0.5 * std::erfc((kReverseSpeed - std::abs(speed)) / spread);
     }
+    if (!track.stands())
+        cues.axle = track.judgement.probability * frontByAxle(track.path, motion);
     if (track.path.size() < 2) return cues;
     cues.dt = track.path.back().time - track.path[track.path.size() - 2].time;
     if (const auto course = steadyCourse(track))
@@ -215,7 +218,7 @@ HeadingCues sizeCues(const Sighting& sighting, const Measurement& m, double heig
 Track withCheckedHeading(Track track, const Sighting& sighting, const Neighbourhood& around,
                          const TrackerOptions& options)
 {
-    HeadingCues cues = cuesOf(track, sighting);
+    HeadingCues cues = cuesOf(track, sighting, options.motion);
     if (mayLearnFromOthers(track.front, cues))
     {
         const OrientedBox& box = track.measurement->box;

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
 
 #include "vdamf/tracking/estimation/vehicle_sizes.h"
@@ -35,8 +36,9 @@ struct HeadingCues
     double height = 1.5;             ///< of the vehicle, m
     bool isHeightSeen = false;       ///< it is no higher
     double shape = 0.0;              ///< log odds for the front held, by the vehicle's shape
-    double neighbours = 0.0;         ///< log odds for the axes held, by the vehicles around it
-    double inLine = 0.0;  ///< log odds for the front held, by the vehicles before and behind it
+    double axle = 0.0;  ///< log odds for the front held, by the axle that does not steer, in bends
+    double neighbours = 0.0;  ///< log odds for the axes held, by the vehicles around it
+    double inLine = 0.0;      ///< log odds for the front held, by the vehicles before and behind it
 };
 
 /// Log odds that length and width are as they are held rather than exchanged, by the faces that one
@@ -76,6 +78,8 @@ public:
 
 private:
     std::array<double, 4> logs() const;
+    double byAxle(std::size_t k) const;
+    void followCourse(const HeadingCues::Course& course, double dt);
 
     /// By the way it moves: log of the probability that the front lies k quarter turns ahead, but
     /// for a constant.
@@ -95,6 +99,8 @@ private:
     Rows ends_, sides_;
     /// By the shape: log odds of the front held.
     double shape_ = 0.0;
+    /// By the axle that does not steer: log odds of the front held.
+    double axle_ = 0.0;
     /// Log odds of the axes held by the vehicles around it in the last frame.
     double neighbours_ = 0.0;
     /// Log odds of the front held, by the vehicles in line with it in the last frame.

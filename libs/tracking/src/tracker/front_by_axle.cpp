@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tracker/front_by_axle.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace vdamf
+{
+namespace
+{
+constexpr double kMostTurn = 0.35;   // rad, from which on older points are left out
+constexpr double kLeastTurn = 0.17;  // rad
+
+// Of a path from one of its points to its end.
+struct Bend
+{
+    std::size_t first = 0;
+    double turn = 0.0;    // rad
+    double across = 0.0;  // m: way of the centre to the left of the heading
+    double way = 0.0;     // m: of the centre
+};
+
+Bend lastBend(const std::vector<PathPoint>& path)
+{
+    Bend bend{path.size() - 1};
+    for (; bend.first > 0 && std::abs(bend.turn) < kMostTurn; --bend.first)
+    {
+        const PathPoint& to = path[bend.first];
+        const PathPoint& from = path[bend.first - 1];
+        if (!from.located.seesAcross(1) || !to.located.seesAcross(1)) break;
+        const double turn = wrapAngle(to.box.heading - from.box.heading);
+        const Eigen::Vector2d move = to.box.centre() - from.box.centre();
+        bend.across += rotation(from.box.heading + 0.5 * turn).col(1).dot(move);
+        bend.turn += turn;
+        bend.way += move.norm();
+    }
+    return bend;
+}
+
+// Whether vehicles can turn like this: in both halves, and on no tighter a circle. Else it is the
+// fit that turned.
+bool isDriven(const PathPoint& from, const PathPoint& middle, const PathPoint& to, double turn)
+{
+    constexpr double kLeastWay = 1.5;     // m
+    constexpr double kLeastRadius = 3.0;  // m
+    constexpr double kMostOfTurn = 0.75;  // in one half
+    const auto mayBe = [&](const PathPoint& a, const PathPoint& b)
+    {
+        const double part = std::abs(wrapAngle(b.box.heading - a.box.heading));
+        const double chord = (b.box.centre() - a.box.centre()).norm();
+        return part <= kMostOfTurn * std::abs(turn) && chord >= kLeastRadius * part;
+    };
+    return (to.box.centre() - from.box.centre()).norm() >= kLeastWay && mayBe(from, middle) &&
+           mayBe(middle, to);
+}
+}  // namespace
+
+double frontByAxle(const std::vector<PathPoint>& path, const MotionOptions& motion)
+{
+    constexpr double kPlaceSigma = 0.1;      // m
+    constexpr double kHeadingSigma = 0.026;  // rad, over all of the way and about the near end
+    if (path.size() < 3) return 0.0;
+    const Bend bend = lastBend(path);
+    if (std::abs(bend.turn) < kLeastTurn) return 0.0;
+    const PathPoint& from = path[bend.first];
+    const PathPoint& to = path.back();
+    if (!isDriven(from, path[(bend.first + path.size() - 1) / 2], to, bend.turn)) return 0.0;
+    // The centre lies d before the point without slip: it moves by d times the turn to the left.
+    const double d = motion.axisFraction * to.box.length;
+    const double sigma = motion.axisFractionSigma * to.box.length;
+    // Where the width grows, the centre moves by half of that.
+    const double growth = 0.5 * (to.box.width - from.box.width);
+    const double variance =
+        std::pow(kPlaceSigma, 2) + std::pow(growth, 2) + std::pow(kHeadingSigma * bend.way, 2) +
+        std::pow(kHeadingSigma * 0.5 * to.box.length, 2) + std::pow(sigma * bend.turn, 2);
+    // Of two Gaussians at d and -d.
+    return 2.0 * d * bend.turn * bend.across / variance;
+}
+
+}  // namespace vdamf
