@@ -28,7 +28,8 @@ constexpr double kMostBySizes = 5.0;
 constexpr double kMostByShape = 4.0;
 // The axle does, but only where it is slow enough to reverse.
 constexpr double kMostByAxle = 7.0;
-constexpr double kReverse = 0.03;  // of what moves
+constexpr double kAxleRepeats = 1.75;  // frames tell of nearly the same bend
+constexpr double kReverse = 0.03;      // of what moves
 
 double withEvidence(double odds, double evidence, double frames, double repeats,
                     double mostEver = kCertain)
@@ -121,7 +122,7 @@ HeadingBelief HeadingBelief::after(const HeadingCues& cues) const
     const double before = isNew && axes_ * evidence < 0.0 ? 0.0 : axes_;
     next.axes_ = withEvidence(before, evidence, frames, repeatsOf(sizes), kMostBySizes);
     next.shape_ = withEvidence(shape_, cues.shape, frames, kRepeats, kMostByShape);
-    next.axle_ = withEvidence(axle_, cues.axle, frames, 1.0, kMostByAxle);
+    next.axle_ = withEvidence(axle_, cues.axle, std::min(frames, 1.0), kAxleRepeats, kMostByAxle);
     next.neighbours_ = cues.neighbours;
     next.inLine_ = cues.inLine;
     const double forth = course_[0] - course_[2];

@@ -11,6 +11,7 @@ namespace
 {
 constexpr double kMostTurn = 0.35;   // rad, from which on older points are left out
 constexpr double kLeastTurn = 0.17;  // rad
+constexpr double kMostAtOnce = 4.0;  // log odds: fits of single frames err
 
 // Of a path from one of its points to its end.
 struct Bend
@@ -59,8 +60,9 @@ bool isDriven(const PathPoint& from, const PathPoint& middle, const PathPoint& t
 double frontByAxle(const std::vector<PathPoint>& path, const MotionOptions& motion)
 {
     constexpr double kPlaceSigma = 0.1;      // m
-    constexpr double kHeadingSigma = 0.026;  // rad, over all of the way and about the near end
-    if (path.size() < 3) return 0.0;
+    constexpr double kHeadingSigma = 0.026;  // rad, over all of the way
+    constexpr double kLongest = 7.0;         // m: longer ones may be articulated
+    if (path.size() < 3 || path.back().box.length > kLongest) return 0.0;
     const Bend bend = lastBend(path);
     if (std::abs(bend.turn) < kLeastTurn) return 0.0;
     const PathPoint& from = path[bend.first];
@@ -69,13 +71,16 @@ double frontByAxle(const std::vector<PathPoint>& path, const MotionOptions& moti
     // The centre lies d before the point without slip: it moves by d times the turn to the left.
     const double d = motion.axisFraction * to.box.length;
     const double sigma = motion.axisFractionSigma * to.box.length;
-    // Where the width grows, the centre moves by half of that.
+    // Where the width grows, the centre moves by half of that; it lies half a length from the end
+    // that is seen.
     const double growth = 0.5 * (to.box.width - from.box.width);
     const double variance =
         std::pow(kPlaceSigma, 2) + std::pow(growth, 2) + std::pow(kHeadingSigma * bend.way, 2) +
-        std::pow(kHeadingSigma * 0.5 * to.box.length, 2) + std::pow(sigma * bend.turn, 2);
+        std::pow(0.5 * to.box.length, 2) * (from.headingVariance + to.headingVariance) +
+        std::pow(sigma * bend.turn, 2);
     // Of two Gaussians at d and -d.
-    return 2.0 * d * bend.turn * bend.across / variance;
+    const double odds = 2.0 * d * bend.turn * bend.across / variance;
+    return std::clamp(odds, -kMostAtOnce, kMostAtOnce);
 }
 
 }  // namespace vdamf

@@ -11,7 +11,7 @@ namespace vdamf
 {
 /// Log odds that the front lies where the headings of a path's boxes point rather than behind: that
 /// the point which moves along the heading, without any slip, lies in the rear half. 0 where the
-/// path does not turn or is too short.
+/// path does not turn or is too short, or the vehicle may be articulated.
 double frontByAxle(const std::vector<PathPoint>& path, const MotionOptions& motion);
 
 }  // namespace vdamf
