@@ -44,8 +44,7 @@ HeadingCues cuesOf(const Track& track, const Sighting& sighting, const MotionOpt
         cues.forth = 0.5 * std::erfc(-speed / spread);
         cues.fast = 0.5 * std::erfc((kReverseSpeed - std::abs(speed)) / spread);
     }
-    if (!track.stands())
-        cues.axle = track.judgement.probability * frontByAxle(track.path, motion);
+    if (!track.stands()) cues.axle = track.judgement.probability * frontByAxle(track.path, motion);
     if (track.path.size() < 2) return cues;
     cues.dt = track.path.back().time - track.path[track.path.size() - 2].time;
     if (const auto course = steadyCourse(track))
