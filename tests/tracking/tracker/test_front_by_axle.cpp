@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <random>
+#include <string>
 #include <vector>
 
 #include "tracking/tracker/simulated_frames.h"
@@ -220,8 +222,9 @@ heading_deg = 90
 speed_mps = 0
 segments = keep 0.5, speed_to -2 1.5, turn 90 5, stop 1, speed_to 5 2
 )");
+    const std::map<std::string, std::vector<Seen>> objects = trackedObjects(scenario);
     int seen = 0;
-    for (const Seen& here : trackedObjects(scenario).at("leaver"))
+    for (const Seen& here : objects.at("leaver"))
     {
         if (here.time < 4.5 || here.tracks.empty()) continue;
         ++seen;
