@@ -9,34 +9,50 @@ namespace vdamf
 {
 namespace
 {
-constexpr double kMostTurn = 0.35;   // rad, from which on older points are left out
-constexpr double kLeastTurn = 0.17;  // rad
-constexpr double kMostAtOnce = 4.0;  // log odds: fits of single frames err
+constexpr double kBendIsEnough = 0.35;  // rad, from which on older points are left out
+constexpr double kLeastBend = 0.17;     // rad
+constexpr double kMostAtOnce = 4.0;     // log odds: fits of single frames err
 
-// Of a path from one of its points to its end.
-struct Bend
+// The end of a path, from its point `first` on.
+struct PathBend
 {
     std::size_t first = 0;
-    double turn = 0.0;    // rad
-    double across = 0.0;  // m: way of the centre to the left of the heading
-    double way = 0.0;     // m: of the centre
+    double turn = 0.0;  // rad
 };
 
-Bend lastBend(const std::vector<PathPoint>& path)
+PathBend lastBend(const std::vector<PathPoint>& path)
 {
-    Bend bend{path.size() - 1};
-    for (; bend.first > 0 && std::abs(bend.turn) < kMostTurn; --bend.first)
+    PathBend bend{path.size() - 1};
+    for (; bend.first > 0 && std::abs(bend.turn) < kBendIsEnough; --bend.first)
     {
         const PathPoint& to = path[bend.first];
         const PathPoint& from = path[bend.first - 1];
         if (!from.located.seesAcross(1) || !to.located.seesAcross(1)) break;
-        const double turn = wrapAngle(to.box.heading - from.box.heading);
-        const Eigen::Vector2d move = to.box.centre() - from.box.centre();
-        bend.across += rotation(from.box.heading + 0.5 * turn).col(1).dot(move);
-        bend.turn += turn;
-        bend.way += move.norm();
+        bend.turn += wrapAngle(to.box.heading - from.box.heading);
     }
     return bend;
+}
+
+// Of the centre along the path, m.
+struct WayInBend
+{
+    double length = 0.0;
+    double across = 0.0;  // to the left of the headings
+};
+
+WayInBend wayFrom(const std::vector<PathPoint>& path, std::size_t first)
+{
+    WayInBend way;
+    for (std::size_t k = path.size() - 1; k > first; --k)
+    {
+        const OrientedBox& from = path[k - 1].box;
+        const OrientedBox& to = path[k].box;
+        const Eigen::Vector2d move = to.centre() - from.centre();
+        const double heading = from.heading + 0.5 * wrapAngle(to.heading - from.heading);
+        way.length += move.norm();
+        way.across += rotation(heading).col(1).dot(move);
+    }
+    return way;
 }
 
 // Whether vehicles can turn like this: in both halves, and on no tighter a circle. Else it is the
@@ -63,11 +79,12 @@ double frontByAxle(const std::vector<PathPoint>& path, const MotionOptions& moti
     constexpr double kHeadingSigma = 0.026;  // rad, over all of the way
     constexpr double kLongest = 7.0;         // m: longer ones may be articulated
     if (path.size() < 3 || path.back().box.length > kLongest) return 0.0;
-    const Bend bend = lastBend(path);
-    if (std::abs(bend.turn) < kLeastTurn) return 0.0;
+    const PathBend bend = lastBend(path);
+    if (std::abs(bend.turn) < kLeastBend) return 0.0;
     const PathPoint& from = path[bend.first];
     const PathPoint& to = path.back();
     if (!isDriven(from, path[(bend.first + path.size() - 1) / 2], to, bend.turn)) return 0.0;
+    const WayInBend way = wayFrom(path, bend.first);
     // The centre lies d before the point without slip: it moves by d times the turn to the left.
     const double d = motion.axisFraction * to.box.length;
     const double sigma = motion.axisFractionSigma * to.box.length;
@@ -75,11 +92,11 @@ double frontByAxle(const std::vector<PathPoint>& path, const MotionOptions& moti
     // that is seen.
     const double growth = 0.5 * (to.box.width - from.box.width);
     const double variance =
-        std::pow(kPlaceSigma, 2) + std::pow(growth, 2) + std::pow(kHeadingSigma * bend.way, 2) +
+        std::pow(kPlaceSigma, 2) + std::pow(growth, 2) + std::pow(kHeadingSigma * way.length, 2) +
         std::pow(0.5 * to.box.length, 2) * (from.headingVariance + to.headingVariance) +
         std::pow(sigma * bend.turn, 2);
     // Of two Gaussians at d and -d.
-    const double odds = 2.0 * d * bend.turn * bend.across / variance;
+    const double odds = 2.0 * d * bend.turn * way.across / variance;
     return std::clamp(odds, -kMostAtOnce, kMostAtOnce);
 }
 

@@ -9,9 +9,9 @@
 
 namespace vdamf
 {
-/// Log odds that the front lies where the headings of a path's boxes point rather than behind: that
-/// the point which moves along the heading, without any slip, lies in the rear half. 0 where the
-/// path does not turn or is too short, or the vehicle may be articulated.
+/// Log odds that the front lies where the headings of a path's boxes point rather than behind, 4 at
+/// most: that the point which moves along the heading, without any slip, lies in the rear half. 0
+/// where the path does not turn or is too short, or the vehicle may be articulated.
 double frontByAxle(const std::vector<PathPoint>& path, const MotionOptions& motion);
 
 }  // namespace vdamf
