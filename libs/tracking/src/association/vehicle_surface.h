@@ -63,20 +63,8 @@ public:
         return toBox_ * (p - centre_);
     }
 
-    bool isOutgrownBy(const Cluster& cluster) const
-    {
-        Eigen::Vector2d min(1e30, 1e30);
-        Eigen::Vector2d max = -min;
-        for (std::size_t i = 0; i < cluster.size(); ++i)
-        {
-            const Eigen::Vector2d p = placeOf(cluster, i);
-            min = min.cwiseMin(p);
-            max = max.cwiseMax(p);
-            if (((max - min).array() > most_.array()).any()) return true;
-            if ((p.array() < lowest_ || p.array() > highest_).any()) return true;
-        }
-        return false;
-    }
+    /// Whether not all hits of a cluster may be the vehicle's.
+    bool isOutgrownBy(const Cluster& cluster) const;
 
     /// Whether a hit there is the vehicle's.
     // Behind the faces that look away from the sensor the vehicle hides what there is of it, so

@@ -29,14 +29,8 @@ HitBounds boundsAlong(const Direction& direction, const Hits& hits)
         {
             Doubles x;
             Doubles y;
-            load(x, px + first, count);
-            load(y, py + first, count);
-            // The first hit once more where there are fewer.
-            for (std::size_t k = count; k < kLanes<Doubles>; ++k)
-            {
-                x[k] = x[0];
-                y[k] = y[0];
-            }
+            loadRepeating(x, px + first, count);
+            loadRepeating(y, py + first, count);
             add(x, y);
         };
         inGroupsOf<kLanes<Doubles>>(size, step);

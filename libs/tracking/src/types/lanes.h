@@ -28,6 +28,15 @@ template <class Lanes, class Number>
     std::memcpy(&lanes, from, count < kLanes<Lanes> ? count * sizeof(Number) : sizeof lanes);
 }
 
+/// The same; the others become the first number once more: for the least and the greatest.
+template <class Lanes, class Number>
+[[gnu::always_inline]] inline void loadRepeating(Lanes& lanes, const Number* from,
+                                                 std::size_t count)
+{
+    load(lanes, from, count);
+    for (std::size_t k = count; k < kLanes<Lanes>; ++k) lanes[k] = lanes[0];
+}
+
 /// Calls step(first, count) for each group of `size` numbers; the last one may have fewer.
 template <std::size_t kCount, class Step>
 [[gnu::always_inline]] inline void inGroupsOf(std::size_t size, Step step)
