@@ -46,26 +46,52 @@ Track hedge()
 
 const Eigen::Vector2d kMiddle(11.5, 5.3);
 
+// Whether a glance is enough at a hedge that has moved, and is as long now.
+bool isEnough(const Track& track, const Eigen::Vector2d& moved, double length, bool mayGrow = false)
+{
+    return isWhereItWas(track, hedgeAt(kMiddle + moved, length), {0}, mayGrow);
+}
+
+const Eigen::Vector2d kNowhere(0.0, 0.0);
+
 TEST(Glance, IsEnoughWhereTheHitsEndWhereTheyDid)
 {
-    EXPECT_TRUE(isWhereItWas(hedge(), hedgeAt(kMiddle, 3.0), {0}));
-    EXPECT_TRUE(isWhereItWas(hedge(), hedgeAt(kMiddle + Eigen::Vector2d(0.1, 0.1), 3.2), {0}));
+    EXPECT_TRUE(isEnough(hedge(), kNowhere, 3.0));
+    EXPECT_TRUE(isEnough(hedge(), {0.1, 0.1}, 3.2));
 }
 
 TEST(Glance, IsNotEnoughForWhatMovesGrowsShrinksOrWasLost)
 {
-    EXPECT_FALSE(isWhereItWas(hedge(), hedgeAt(kMiddle + Eigen::Vector2d(0.5, 0.0), 3.0), {0}));
-    EXPECT_FALSE(isWhereItWas(hedge(), hedgeAt(kMiddle + Eigen::Vector2d(0.0, -0.5), 3.0), {0}));
-    EXPECT_FALSE(isWhereItWas(hedge(), hedgeAt(kMiddle, 4.0), {0}));
-    EXPECT_FALSE(isWhereItWas(hedge(), hedgeAt(kMiddle, 2.0), {0}));
+    EXPECT_FALSE(isEnough(hedge(), {0.5, 0.0}, 3.0));
+    EXPECT_FALSE(isEnough(hedge(), {0.0, -0.5}, 3.0));
+    EXPECT_FALSE(isEnough(hedge(), kNowhere, 4.0));
+    EXPECT_FALSE(isEnough(hedge(), kNowhere, 2.0));
     // One end moves while the other one stays.
-    EXPECT_FALSE(isWhereItWas(hedge(), hedgeAt(kMiddle + Eigen::Vector2d(0.2, 0.0), 3.4), {0}));
+    EXPECT_FALSE(isEnough(hedge(), {0.2, 0.0}, 3.4));
     Track moves = hedge();
     moves.stoodProbability = 0.4;
-    EXPECT_FALSE(isWhereItWas(moves, hedgeAt(kMiddle, 3.0), {0}));
+    EXPECT_FALSE(isEnough(moves, kNowhere, 3.0));
     Track lost = hedge();
     lost.misses = 1;
-    EXPECT_FALSE(isWhereItWas(lost, hedgeAt(kMiddle, 3.0), {0}));
+    EXPECT_FALSE(isEnough(lost, kNowhere, 3.0));
+}
+
+TEST(Glance, IsNotEnoughBeforeTheSpeedIsKnown)
+{
+    Track track = hedge();
+    track.state.covariance(kSpeed, kSpeed) = 1.0;
+    EXPECT_FALSE(isEnough(track, kNowhere, 3.0));
+    EXPECT_FALSE(isEnough(track, kNowhere, 3.0, true));
+}
+
+TEST(Glance, IsEnoughForWhatGrowsAtOneEndIfItMay)
+{
+    EXPECT_TRUE(isEnough(hedge(), {1.0, 0.0}, 5.0, true));
+    EXPECT_TRUE(isEnough(hedge(), {-0.8, 0.1}, 1.4, true));
+    // At both ends, along or across.
+    EXPECT_FALSE(isEnough(hedge(), kNowhere, 4.0, true));
+    EXPECT_FALSE(isEnough(hedge(), {0.5, 0.0}, 3.0, true));
+    EXPECT_FALSE(isEnough(hedge(), {0.0, 0.5}, 3.0, true));
 }
 
 TEST(Glance, TellsThatItIsThereAndStandsAndNoMore)
@@ -81,6 +107,15 @@ TEST(Glance, TellsThatItIsThereAndStandsAndNoMore)
     EXPECT_GT(after.existence, before.existence);
     EXPECT_FALSE(after.measurement.has_value());
     EXPECT_FALSE(after.nis.has_value());
+}
+
+TEST(Glance, TellsHowLargeItIsNow)
+{
+    const Track after =
+        glancedTrack(hedge(), hedgeAt(kMiddle + Eigen::Vector2d(1.0, 0.0), 5.0), {0}, {});
+    EXPECT_NEAR(after.boxOfHits().length, 5.0, 1e-9);
+    EXPECT_NEAR(after.boxOfHits().x, 12.5, 1e-9);
+    EXPECT_EQ(after.state.mean, hedge().state.mean);
 }
 
 // A tracker whose discriminator takes everything for the same.

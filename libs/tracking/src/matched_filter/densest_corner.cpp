@@ -117,7 +117,7 @@ public:
     TurnedHits(const Hits& hits, const Eigen::Vector2d& origin)
     {
         // So many show where rows of them are as well as all.
-        constexpr std::size_t kEnough = 256;
+        constexpr std::size_t kEnough = 128;
         const std::size_t step = (hits.size() + kEnough - 1) / kEnough;
         for (std::size_t i = 0; i < hits.size(); i += step)
         {

@@ -268,7 +268,9 @@ Measurement measureTarget(const Hits& hits, const Eigen::Vector2d& sensor, const
     const OrientedBox fitted = m.box;
     if (options.filter == FilterKind::PaperInset)
         m.box = withInsets(m.box, m.facesSeen, sensor, options.parameters.insets);
-    m.covariance = fitCovariance(hits, filter.narrowest(), fitted, fit.phi, options.hitSigma);
+    // What is added where no face is seen is more by far.
+    if (!linesFollow || !effort.isFirstTaken)
+        m.covariance = fitCovariance(hits, filter.narrowest(), fitted, fit.phi, options.hitSigma);
     if (linesFollow)
         m.covariance = withNoFaceSeen(m.covariance, m.box.heading, options.hiddenFaceSigma);
     if (options.reachOverHits) m.box = reachingOverHits(hits, m.box, m.facesSeen, sensor);

@@ -6,26 +6,37 @@
 
 namespace vdamf
 {
+namespace
+{
+// When little was in view, what is a vehicle may be ruled out by mistake.
+bool isYoung(const Track& track)
+{
+    constexpr int kYoung = 6;  // sightings
+    return track.sightings < kYoung;
+}
+}  // namespace
+
 bool isPassedOver(const Track& track, const Discriminator& discriminator)
 {
-    constexpr int kYoung = 6;             // sightings
-    constexpr double kSurelyNone = 0.01;  // probability
     constexpr std::uint64_t kLookAgain = 4;
     constexpr std::uint64_t kLookAgainIfSure = 8;
-    if (track.sightings < kYoung || !discriminator.rulesOut(track)) return false;
-    const bool isSure = discriminator.vehicleProbability(track) < kSurelyNone;
+    const bool isSure = isSurelyNone(track);
+    if (!discriminator.rulesOut(track) || (isYoung(track) && !isSure)) return false;
     const std::uint64_t turn = static_cast<std::uint64_t>(track.sightings) + 1 + track.id;
     return turn % (isSure ? kLookAgainIfSure : kLookAgain) != 0;
 }
 
-SearchEffort effortFor(const Track& track, const Discriminator& discriminator)
+Attention attentionFor(const Track& track, const Discriminator& discriminator)
 {
     constexpr double kVague = 0.3;      // m
     constexpr double kPoorMatch = 0.6;  // of the last one
-    if (isPassedOver(track, discriminator)) return {0.0, true};
+    const bool isPlaceEnough = isSurelyNone(track) && !track.moves();
+    if (discriminator.rulesOut(track) && (isPlaceEnough || !isYoung(track)))
+        return {{0.0, true}, isPlaceEnough};
     const bool isVague = track.positionSigma() >= kVague;
-    return {isVague ? std::numeric_limits<double>::infinity() : kPoorMatch * track.lastMatch,
-            false};
+    const double poor =
+        isVague ? std::numeric_limits<double>::infinity() : kPoorMatch * track.lastMatch;
+    return {{poor, false}, false};
 }
 
 }  // namespace vdamf

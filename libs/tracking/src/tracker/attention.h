@@ -7,13 +7,14 @@
 
 namespace vdamf
 {
-/// Whether this sighting of what is hardly a vehicle may be passed over. Each fourth is not, of
-/// what is surely none each eighth, nor are the first ones, when little is in view: it may have
-/// been ruled out by mistake.
+/// Whether this sighting of what is hardly a vehicle may be passed over. Each fourth is not, nor
+/// are the first ones, by which it may have been ruled out by mistake; of what is surely none each
+/// eighth is not.
 bool isPassedOver(const Track& track, const Discriminator& discriminator);
 
 /// Where the predicted pose is vague, or explains the hits much worse than before, the search also
-/// starts from where the hits are. What is passed over is followed with less effort.
-SearchEffort effortFor(const Track& track, const Discriminator& discriminator);
+/// starts from where the hits are. What is ruled out is followed with less effort, but for its
+/// first sightings, and of what is surely none, and may stand, its place alone.
+Attention attentionFor(const Track& track, const Discriminator& discriminator);
 
 }  // namespace vdamf

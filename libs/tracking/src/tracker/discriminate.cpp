@@ -64,6 +64,12 @@ bool liesAsOthers(const Track& track, const OrientedBox& extent)
 }
 }  // namespace
 
+bool isSurelyNone(const Track& track)
+{
+    constexpr double kSurely = 0.01;  // probability of a vehicle
+    return track.judgement.probability < kSurely;
+}
+
 Discriminator::Discriminator(const DiscriminatorOptions& options) : options_(options) {}
 
 const DiscriminatorModel& Discriminator::model() const

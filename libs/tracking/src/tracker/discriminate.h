@@ -15,6 +15,9 @@ constexpr double kSurelyAVehicle = 0.8;
 /// Height from which on a vehicle may be a truck, m.
 constexpr double kLowestTruck = 2.2;
 
+/// Whether the track is surely no vehicle.
+bool isSurelyNone(const Track& track);
+
 /// Evidence of tracks that have hits in a frame.
 class Discriminator
 {

@@ -89,14 +89,11 @@ double forwardProbability(const Track& track)
     return std::min(track.front.forwardProbability(), track.front.forwardProbabilityByCourse());
 }
 
-constexpr double kStill = 1.0;  // m/s
-
 // Whether what surely moves may as well drive backward: its shape and its way tell different
 // fronts.
 bool isFrontDisputed(const Track& track, const LifecycleOptions& options)
 {
-    return std::abs(track.state.mean(kSpeed)) - 2.0 * track.state.speedSigma() > kStill &&
-           forwardProbability(track) < options.confirmAxes;
+    return track.moves() && forwardProbability(track) < options.confirmAxes;
 }
 
 // Whether the speed is not known yet, nor which way what may be moving drives.
@@ -107,9 +104,10 @@ bool isSpeedVague(const Track& track, const LifecycleOptions& options)
     const VehicleState& told = isFew ? track.hypotheses->driving.front() : track.state;
     const double speed = std::abs(told.mean(kSpeed));
     const double error = 2.0 * told.speedSigma();
-    const bool mayBeEither = isFew && (speed - error < kStill || !isVehicleOfKnownSpeed(track));
+    const bool mayBeEither =
+        isFew && (speed - error < Track::kStill || !isVehicleOfKnownSpeed(track));
     return track.state.speedSigma() > options.confirmSpeedSigma ||
-           (speed + error > kStill &&
+           (speed + error > Track::kStill &&
             (mayBeEither || forwardProbability(track) < options.confirmAxes));
 }
 

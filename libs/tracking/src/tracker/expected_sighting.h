@@ -9,6 +9,6 @@ namespace vdamf
 /// Of the hits in some clusters of the frame that it was predicted to.
 Sighting expectedSighting(const Track& track, const SegmentedFrame& frame,
                           const std::vector<std::size_t>& clusters, const MeasureOptions& options,
-                          const SearchEffort& effort, const MotionOptions& motion);
+                          const Attention& attention, const MotionOptions& motion);
 
 }  // namespace vdamf

@@ -11,22 +11,32 @@ namespace vdamf
 {
 namespace
 {
-// Of rectangles of the same heading.
-bool haveSameEnds(const OrientedBox& a, const OrientedBox& b)
+// By how much rectangles of the same heading differ along each axis at one of their ends, and at
+// the other, m.
+struct EndChanges
 {
-    constexpr double kSame = 0.3;  // m
+    Eigen::Vector2d least, most;
+};
+
+EndChanges changesOfEnds(const OrientedBox& a, const OrientedBox& b)
+{
     const Eigen::Vector2d moved = toBoxFrame(a, b.centre()).cwiseAbs();
-    const Eigen::Vector2d grown(std::abs(b.length - a.length), std::abs(b.width - a.width));
-    return (moved + 0.5 * grown).maxCoeff() < kSame;
+    const Eigen::Vector2d grown =
+        0.5 * Eigen::Vector2d(b.length - a.length, b.width - a.width).cwiseAbs();
+    return {(moved - grown).cwiseAbs(), moved + grown};
 }
 }  // namespace
 
 bool isWhereItWas(const Track& track, const SegmentedFrame& frame,
-                  const std::vector<std::size_t>& clusters)
+                  const std::vector<std::size_t>& clusters, bool mayGrow)
 {
-    if (track.misses > 0 || !track.stood()) return false;
+    constexpr double kSame = 0.3;        // m
+    constexpr double kSpeedSigma = 0.8;  // m/s
+    if (track.misses > 0 || !track.stood() || track.state.speedSigma() > kSpeedSigma) return false;
     const OrientedBox before = track.boxOfHits();
-    return haveSameEnds(before, rectangleAround(*hitsOf(frame, clusters), before.heading));
+    const EndChanges changes =
+        changesOfEnds(before, rectangleAround(*hitsOf(frame, clusters), before.heading));
+    return (mayGrow ? changes.least : changes.most).maxCoeff() < kSame;
 }
 
 bool isGlanceEnough(const Track& track, const SegmentedFrame& frame,
@@ -35,7 +45,7 @@ bool isGlanceEnough(const Track& track, const SegmentedFrame& frame,
 {
     // Features are asked for to learn from: all of them.
     return !options.keepFeatures && isPassedOver(track, discriminator) &&
-           isWhereItWas(track, frame, clusters);
+           isWhereItWas(track, frame, clusters, isSurelyNone(track));
 }
 
 Track glancedTrack(Track track, const SegmentedFrame& frame,
@@ -43,6 +53,8 @@ Track glancedTrack(Track track, const SegmentedFrame& frame,
 {
     track.hypotheses->standingProbability = track.stoodProbability;
     track.hypotheses->sinceMeasured = 0.0;
+    const double heading = track.boxOfHits().heading;
+    track.around = inFrameOf(track.box(), rectangleAround(*hitsOf(frame, clusters), heading));
     double weight = 0.0;
     for (const std::size_t k : clusters) weight += frame.hits[k].totalWeight;
     track.hits = static_cast<int>(std::lround(weight));

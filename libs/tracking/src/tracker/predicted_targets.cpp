@@ -32,10 +32,9 @@ bool isTruckOfKnownSize(const Track& track)
 }
 
 // Of what was lost from sight, and not surely no vehicle, the last hits.
-bool mayHaveBeenAPart(const Track& track, double probability)
+bool mayHaveBeenAPart(const Track& track)
 {
-    constexpr double kSurelyNone = 0.01;  // probability
-    return track.misses > 0 && probability > kSurelyNone;
+    return track.misses > 0 && !isSurelyNone(track);
 }
 }  // namespace
 
@@ -49,8 +48,7 @@ std::vector<PredictedTarget> predictedTargets(const std::vector<Track>& tracks,
     {
         const double probability = discriminator.vehicleProbability(track);
         // What is no vehicle is not as large as one either.
-        const bool isAsLarge =
-            !discriminator.rulesOut(track) || mayHaveBeenAPart(track, probability);
+        const bool isAsLarge = !discriminator.rulesOut(track) || mayHaveBeenAPart(track);
         PredictedTarget target;
         target.box = isAsLarge ? track.box() : track.boxOfHits();
         target.positionSigma = track.boxSigma();

@@ -139,13 +139,19 @@ double heightOf(const Cluster& cluster)
 {
     if (cluster.height.empty()) return 0.0;
     float highest = cluster.height.front();
-    inWideLanes(
-        [ height = cluster.height.data(), size = cluster.height.size(), result = &highest ]()
-            __attribute__((always_inline)) {
-                float most = *result;
-                for (std::size_t i = 0; i < size; ++i) most = height[i] > most ? height[i] : most;
-                *result = most;
-            });
+    inWideLanes([
+        height = cluster.height.data(), size = cluster.height.size(), result = &highest
+    ]() __attribute__((always_inline)) {
+        Floats most = Floats{} + *result;
+        const auto add = [&](std::size_t first, std::size_t count) __attribute__((always_inline))
+        {
+            Floats h;
+            loadRepeating(h, height + first, count);
+            most = h > most ? h : most;
+        };
+        inGroupsOf<kLanes<Floats>>(size, add);
+        for (std::size_t k = 0; k < kLanes<Floats>; ++k) *result = std::max(*result, most[k]);
+    });
     return highest;
 }
 
@@ -224,7 +230,7 @@ Measurement goingOnTowards(const Measurement& measurement, const Eigen::Vector2d
 Sighting sightingOf(const SegmentedFrame& frame, const std::vector<std::size_t>& clusters,
                     const HitsAtOneTime& seen, const OrientedBox& start,
                     const std::optional<Eigen::Vector2d>& knownLengthWidth,
-                    const MeasureOptions& options, const SearchEffort& effort)
+                    const MeasureOptions& options, const Attention& attention)
 {
     const Eigen::Vector2d& sensor = frame.sensor;
     Sighting s;
@@ -234,7 +240,8 @@ Sighting sightingOf(const SegmentedFrame& frame, const std::vector<std::size_t>&
     s.clusters = clusters;
     s.areParts = seen.areParts;
     s.isCut = seen.isCut;
-    s.measurement = measureTarget(*seen.hits, sensor, start, options, knownLengthWidth, effort);
+    s.measurement =
+        measureTarget(*seen.hits, sensor, start, options, knownLengthWidth, attention.search);
     Measurement& m = s.measurement;
     double ground = 0.0;
     double count = 0.0;
@@ -260,10 +267,12 @@ Sighting sightingOf(const SegmentedFrame& frame, const std::vector<std::size_t>&
     if (!seen.goesOn)
         if (const auto smooth =
                 withoutRoughEnd(s, seen, leastShare, options.mergeCell, frame.planar))
-            return sightingOf(frame, clusters, *smooth, start, knownLengthWidth, options, effort);
+            return sightingOf(frame, clusters, *smooth, start, knownLengthWidth, options,
+                              attention);
     m = withNearEndOfRow(s);
     m = withinRowOfSide(s, frame);
     if (seen.goesOn) m = goingOnTowards(m, *seen.goesOn);
+    if (attention.isPlaceEnough) return s;
 
     m = withoutEndOfShortSide(s);
     // What is new may be a bush over a car.

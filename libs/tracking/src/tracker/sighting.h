@@ -112,10 +112,19 @@ FaceRow rowAlongFace(const Hits& hits, const OrientedBox& box, const Eigen::Vect
 /// its end or side there is hidden.
 Measurement goingOnTowards(const Measurement& measurement, const Eigen::Vector2d& point);
 
+/// How closely hits are looked at.
+struct Attention
+{
+    SearchEffort search;
+    /// Nothing is asked for that only vehicles have: for what is surely none, and may
+    /// stand.
+    bool isPlaceEnough = false;
+};
+
 /// Measures the hits of some clusters from a start.
 Sighting sightingOf(const SegmentedFrame& frame, const std::vector<std::size_t>& clusters,
                     const HitsAtOneTime& seen, const OrientedBox& start,
                     const std::optional<Eigen::Vector2d>& knownLengthWidth,
-                    const MeasureOptions& options, const SearchEffort& effort = {});
+                    const MeasureOptions& options, const Attention& attention = {});
 
 }  // namespace vdamf

@@ -23,6 +23,12 @@ OrientedBox Track::boxOfHits() const
             around.width};
 }
 
+OrientedBox inFrameOf(const OrientedBox& frame, const OrientedBox& box)
+{
+    const Eigen::Vector2d centre = toBoxFrame(frame, box.centre());
+    return {centre.x(), centre.y(), wrapAngle(box.heading - frame.heading), box.length, box.width};
+}
+
 Track movedBy(Track track, const Eigen::Vector3d& by)
 {
     const auto move = [&](VehicleState& state) { state.mean.head<2>() += by.head<2>(); };

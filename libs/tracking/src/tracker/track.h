@@ -48,6 +48,8 @@ struct Judgement
 /// All positions are relative to the origin of the frame of its last prediction.
 struct Track
 {
+    static constexpr double kStill = 1.0;  ///< m/s: what is slower may stand
+
     std::uint64_t id = 0;
     TrackStatus status = TrackStatus::Tentative;
     bool wasPublished = false;  ///< in an earlier frame
@@ -98,6 +100,8 @@ struct Track
     bool stands() const { return hypotheses->standingProbability >= 0.5; }
     /// It likelier did than not, before the last prediction.
     bool stood() const { return stoodProbability >= 0.5; }
+    /// It surely moves, forward or backward.
+    bool moves() const { return std::abs(state.mean(kSpeed)) - 2.0 * state.speedSigma() > kStill; }
     /// Where its hits should be if it is as large as the last ones were.
     OrientedBox boxOfHits() const;
     Eigen::Vector2d velocity() const  ///< of the centre, world, m/s
@@ -152,6 +156,9 @@ HeadingCues sizeCues(const Sighting& sighting, const Measurement& m, double heig
 /// quarter once the odds for that are high. `sighting` is the one that was just taken in.
 Track withCheckedHeading(Track track, const Sighting& sighting, const Neighbourhood& around,
                          const TrackerOptions& options);
+
+/// A box in the frame of another one.
+OrientedBox inFrameOf(const OrientedBox& frame, const OrientedBox& box);
 
 /// The track with all positions moved (m), for a frame of another origin. What it has of the last
 /// frame stays as it is.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tracker/discriminate.h"
 #include "tracker/end_above_bumper.h"
 #include "tracker/ends_in_view.h"
 #include "tracker/existence.h"
@@ -25,13 +26,6 @@ void appendToPath(Track& track, const PathPoint& point)
         std::find_if(track.path.begin(), track.path.end(),
                      [&](const PathPoint& p) { return p.time >= point.time - kPathTime; });
     track.path.erase(track.path.begin(), first);
-}
-
-// A box in the frame of another one.
-OrientedBox inFrameOf(const OrientedBox& frame, const OrientedBox& box)
-{
-    const Eigen::Vector2d centre = toBoxFrame(frame, box.centre());
-    return {centre.x(), centre.y(), wrapAngle(box.heading - frame.heading), box.length, box.width};
 }
 
 // The measurement as it would have been `lag` seconds before, at the time of the state.
@@ -250,6 +244,7 @@ Track sightedTrack(Track track, const Sighting& seen, const Neighbourhood& aroun
     track.faceHeight = sighting.faceHeight;
     track = withEndFollowed(std::move(track), sighting, m, visibility);
     track = takenIn(std::move(track), sighting, box, options);
+    if (isSurelyNone(track) && !track.moves()) return track;
     return withCheckedHeading(std::move(track), sighting, around, options);
 }
 

@@ -154,7 +154,7 @@ private:
                                                          discriminator_, options_.discriminator))
                     sightings[j] = expectedSighting(
                         tracks_[j], frame, clusters, typeFilters_.optionsFor(tracks_[j]),
-                        effortFor(tracks_[j], discriminator_), options_.motion);
+                        attentionFor(tracks_[j], discriminator_), options_.motion);
             });
         return sightings;
     }

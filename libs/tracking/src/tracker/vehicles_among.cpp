@@ -14,7 +14,7 @@ namespace
 {
 constexpr double kSigma = 0.1;  // m, of the place of a box just measured
 // Most pieces are a hedge's; a vehicle among them is measured again, as itself.
-constexpr SearchEffort kEffort{0.0, true};
+constexpr Attention kAttention{{0.0, true}, true};
 
 bool mayBeCar(const Cluster& piece, bool isPlanar, const LifecycleOptions& options)
 {
@@ -35,7 +35,7 @@ std::optional<PredictedTarget> vehicleIn(const SegmentedFrame& piece, const Neig
         startBox(*seen.hits, piece.sensor, widestEnd(height), options.measurement.fit);
     if (std::hypot(start.length, start.width) > options.lifecycle.maxExtent) return std::nullopt;
     const Measurement m = withLikelierAxes(sightingOf(piece, {0}, seen, start, std::nullopt,
-                                                      options.measurement, kEffort),
+                                                      options.measurement, kAttention),
                                            around, options)
                               .measurement;
     if (discriminator.vehicleProbability(m, piece, {0}) < kSurelyAVehicle) return std::nullopt;
