@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "association/vehicle_surface.h"
 
+#include <cstddef>
+
+#include "types/cluster_bounds.h"
+#include "types/lane_bounds.h"
 #include "types/lanes.h"
 #include "types/wide_lanes.h"
 
@@ -8,8 +12,7 @@ namespace vdamf
 {
 bool VehicleSurface::isOutgrownBy(const Cluster& cluster) const
 {
-    Eigen::Array2f min = Eigen::Array2f::Constant(1e30F);
-    Eigen::Array2f max = -min;
+    ClusterBounds places;
     const Eigen::Matrix2f toBox = toBox_.cast<float>();
     const Eigen::Vector2f centre = centre_.cast<float>();
     const Eigen::Vector2f velocity = velocity_.cast<float>();
@@ -17,9 +20,9 @@ bool VehicleSurface::isOutgrownBy(const Cluster& cluster) const
         px = cluster.x.data(), py = cluster.y.data(), size = cluster.size(),
         times = cluster.time.empty() ? nullptr : cluster.time.data(), c = toBox(0, 0),
         s = toBox(0, 1), cx = centre.x(), cy = centre.y(), vx = velocity.x(), vy = velocity.y(),
-        least = min.data(), most = max.data()
+        result = &places
     ]() __attribute__((always_inline)) {
-        Floats minX = Floats{} + least[0], maxX = -minX, minY = minX, maxY = -minX;
+        LaneBounds<Floats> each(result->minX);
         const auto add = [&](std::size_t first, std::size_t count) __attribute__((always_inline))
         {
             Floats dx;
@@ -30,24 +33,13 @@ bool VehicleSurface::isOutgrownBy(const Cluster& cluster) const
             if (times) loadRepeating(time, times + first, count);
             dx -= cx + vx * time;
             dy -= cy + vy * time;
-            const Floats x = c * dx + s * dy;
-            const Floats y = c * dy - s * dx;
-            minX = x < minX ? x : minX;
-            maxX = x > maxX ? x : maxX;
-            minY = y < minY ? y : minY;
-            maxY = y > maxY ? y : maxY;
+            each.add(c * dx + s * dy, c * dy - s * dx);
         };
         inGroupsOf<kLanes<Floats>>(size, add);
-        for (std::size_t k = 0; k < kLanes<Floats>; ++k)
-        {
-            least[0] = std::min(least[0], minX[k]);
-            least[1] = std::min(least[1], minY[k]);
-            most[0] = std::max(most[0], maxX[k]);
-            most[1] = std::max(most[1], maxY[k]);
-        }
+        each.growTo(*result);
     });
-    const Eigen::Array2d lowest = min.cast<double>();
-    const Eigen::Array2d highest = max.cast<double>();
+    const Eigen::Array2d lowest(places.minX, places.minY);
+    const Eigen::Array2d highest(places.maxX, places.maxY);
     return (highest - lowest > most_.array()).any() || (lowest < lowest_).any() ||
            (highest > highest_).any();
 }
