@@ -103,7 +103,8 @@ struct SearchEffort
     /// Response per hit, 1/m: where the start leads to no more, the filter begins where the hits
     /// are as well.
     double enoughMatch = 0.0;
-    /// The first result is taken, however few hits lie on its lines: for what is hardly a vehicle.
+    /// The first result is taken, however few hits lie on its lines, and where no face is seen it
+    /// is as vague as that alone makes it: for what is hardly a vehicle.
     bool isFirstTaken = false;
 };
 
