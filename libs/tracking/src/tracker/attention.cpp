@@ -26,13 +26,18 @@ bool isPassedOver(const Track& track, const Discriminator& discriminator)
     return turn % (isSure ? kLookAgainIfSure : kLookAgain) != 0;
 }
 
+bool isPlaceEnough(const Track& track)
+{
+    return isSurelyNone(track) && !track.moves();
+}
+
 Attention attentionFor(const Track& track, const Discriminator& discriminator)
 {
     constexpr double kVague = 0.3;      // m
     constexpr double kPoorMatch = 0.6;  // of the last one
-    const bool isPlaceEnough = isSurelyNone(track) && !track.moves();
-    if (discriminator.rulesOut(track) && (isPlaceEnough || !isYoung(track)))
-        return {{0.0, true}, isPlaceEnough};
+    const bool isEnough = isPlaceEnough(track);
+    if (discriminator.rulesOut(track) && (isEnough || !isYoung(track)))
+        return {{0.0, true}, isEnough};
     const bool isVague = track.positionSigma() >= kVague;
     const double poor =
         isVague ? std::numeric_limits<double>::infinity() : kPoorMatch * track.lastMatch;

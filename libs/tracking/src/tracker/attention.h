@@ -12,9 +12,12 @@ namespace vdamf
 /// eighth is not.
 bool isPassedOver(const Track& track, const Discriminator& discriminator);
 
+/// Whether no more than its place is asked for: it is surely no vehicle, and may stand.
+bool isPlaceEnough(const Track& track);
+
 /// Where the predicted pose is vague, or explains the hits much worse than before, the search also
-/// starts from where the hits are. What is ruled out is followed with less effort, but for its
-/// first sightings, and of what is surely none, and may stand, its place alone.
+/// starts from where the hits are. What is ruled out is followed with less effort: after its first
+/// sightings, or at once where its place is enough.
 Attention attentionFor(const Track& track, const Discriminator& discriminator);
 
 }  // namespace vdamf

@@ -116,7 +116,7 @@ Measurement goingOnTowards(const Measurement& measurement, const Eigen::Vector2d
 struct Attention
 {
     SearchEffort search;
-    /// Nothing is asked for that only vehicles have: for what is surely none, and may stand.
+    /// Nothing is asked for that only vehicles have.
     bool isPlaceEnough = false;
 };
 

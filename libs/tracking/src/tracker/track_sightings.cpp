@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tracker/discriminate.h"
+#include "tracker/attention.h"
 #include "tracker/end_above_bumper.h"
 #include "tracker/ends_in_view.h"
 #include "tracker/existence.h"
@@ -244,7 +244,7 @@ Track sightedTrack(Track track, const Sighting& seen, const Neighbourhood& aroun
     track.faceHeight = sighting.faceHeight;
     track = withEndFollowed(std::move(track), sighting, m, visibility);
     track = takenIn(std::move(track), sighting, box, options);
-    if (isSurelyNone(track) && !track.moves()) return track;
+    if (isPlaceEnough(track)) return track;
     return withCheckedHeading(std::move(track), sighting, around, options);
 }
 
