@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 
 #include "association/vehicle_surface.h"
 #include "types/append_hit.h"
@@ -54,13 +56,16 @@ VehicleSurface surfaceOf(PredictedTarget vehicle, const Eigen::Vector2d& sensor,
 struct Shares
 {
     Shares(const Cluster& cluster, const std::vector<VehicleSurface>& vehicles)
-        : owner(cluster.size(), vehicles.size()), hits(vehicles.size() + 1, 0)
+        : owner(cluster.size(), static_cast<std::int32_t>(vehicles.size()))
     {
+        std::size_t left = cluster.size();
         for (std::size_t k = 0; k < vehicles.size(); ++k)
-            for (std::size_t i = 0; i < cluster.size(); ++i)
-                if (owner[i] == vehicles.size() && vehicles[k].has(vehicles[k].placeOf(cluster, i)))
-                    owner[i] = k;
-        for (const std::size_t k : owner) ++hits[k];
+        {
+            hits.push_back(vehicles[k].claim(cluster, static_cast<std::int32_t>(k),
+                                             static_cast<std::int32_t>(vehicles.size()), owner));
+            left -= hits.back();
+        }
+        hits.push_back(left);
     }
 
     // Of two at least, and not only of vehicles that end where their boxes do, which come first:
@@ -73,8 +78,8 @@ struct Shares
                            isEnough);
     }
 
-    std::vector<std::size_t> owner;  // of each hit, among the vehicles and then none
-    std::vector<std::size_t> hits;   // of each owner
+    std::vector<std::int32_t> owner;  // of each hit, among the vehicles and then none
+    std::vector<std::size_t> hits;    // of each owner
 };
 }  // namespace
 
@@ -104,7 +109,7 @@ std::optional<CutCluster> KnownVehicles::cut(const Cluster& cluster, const Clust
     parts.vehicles.resize(outgrown.size());
     for (std::size_t i = 0; i < cluster.size(); ++i)
     {
-        const std::size_t k = shares.owner[i];
+        const auto k = static_cast<std::size_t>(shares.owner[i]);
         appendHit(k < outgrown.size() ? parts.vehicles[k] : parts.rest, cluster, i);
     }
     for (const Cluster& piece : parts.vehicles)

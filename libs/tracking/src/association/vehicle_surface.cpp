@@ -44,4 +44,40 @@ bool VehicleSurface::isOutgrownBy(const Cluster& cluster) const
            (highest > highest_).any();
 }
 
+std::size_t VehicleSurface::claim(const Cluster& cluster, std::int32_t vehicle, std::int32_t none,
+                                  std::vector<std::int32_t>& owner) const
+{
+    std::int64_t count = 0;
+    const bool isTimed = !cluster.time.empty();
+    inWideLanes([
+        =, px = cluster.x.data(), py = cluster.y.data(), size = cluster.size(),
+        // Without times the hits are where they were; any numbers do.
+        times = isTimed ? cluster.time.data() : cluster.x.data(),
+        vx = isTimed ? velocity_.x() : 0.0, vy = isTimed ? velocity_.y() : 0.0, cx = centre_.x(),
+        cy = centre_.y(), c = toBox_(0, 0), s = toBox_(0, 1), length = half_.x(), width = half_.y(),
+        behind = weights_(0, 0), ahead = weights_(0, 1), right = weights_(1, 0),
+        left = weights_(1, 1), owners = owner.data(), result = &count
+    ]() __attribute__((always_inline)) {
+        std::int64_t claimed = 0;
+        VDAMF_INDEPENDENT_LANES
+        for (std::size_t i = 0; i < size; ++i)
+        {
+            const auto time = static_cast<double>(times[i]);
+            const double dx = (static_cast<double>(px[i]) - time * vx) - cx;
+            const double dy = (static_cast<double>(py[i]) - time * vy) - cy;
+            const double x = c * dx + s * dy;
+            const double y = c * dy - s * dx;
+            const double outX = std::abs(x) - length;
+            const double outY = std::abs(y) - width;
+            const double squareX = outX > 0.0 ? outX * outX * (x > 0.0 ? ahead : behind) : 0.0;
+            const double squareY = outY > 0.0 ? outY * outY * (y > 0.0 ? left : right) : 0.0;
+            const bool isClaimed = (squareX + squareY < 1.0) & (owners[i] == none);
+            owners[i] = isClaimed ? vehicle : owners[i];
+            claimed += isClaimed ? 1 : 0;
+        }
+        *result = claimed;
+    });
+    return static_cast<std::size_t>(count);
+}
+
 }  // namespace vdamf

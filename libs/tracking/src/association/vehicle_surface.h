@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
 
 #include "vdamf/tracking/association/auction.h"
 #include "vdamf/tracking/types/cluster.h"
@@ -24,9 +27,9 @@ public:
         : half_(0.5 * vehicle.box.length, 0.5 * vehicle.box.width),
           centre_(vehicle.box.centre()),
           velocity_(vehicle.velocity),
-          toBox_(rotation(vehicle.box.heading).transpose()),
-          view_(toBoxFrame(vehicle.box, sensor))
+          toBox_(rotation(vehicle.box.heading).transpose())
     {
+        const Eigen::Vector2d view = toBoxFrame(vehicle.box, sensor);
         const Eigen::Vector2d slack(options.lengthSlack, options.widthSlack);
         const Eigen::Vector2d sizeSigma(vehicle.lengthSigma, vehicle.widthSigma);
         most_ = 2.0 * half_ + slack + 2.0 * sizeSigma;
@@ -50,8 +53,13 @@ public:
         for (int end = 0; end < 2; ++end)
         {
             const double sigma = vehicle.endSigma(end);
-            isOpen_[end] = sigma >= kSureSize && sigma < PredictedTarget::kUnknown;
-            weights_(0, end) = weightOf(isOpen_[end] ? sigma : vehicle.positionSigma.x());
+            const bool isOpen = sigma >= kSureSize && sigma < PredictedTarget::kUnknown;
+            weights_(0, end) = weightOf(isOpen ? sigma : vehicle.positionSigma.x());
+            // Behind the faces that look away from the sensor the vehicle hides what there is of
+            // it, so what is seen there is not its own, unless it may be longer at that end.
+            for (int axis = 0; axis < 2; ++axis)
+                if ((end == 0 ? view(axis) : -view(axis)) > half_(axis) && !(axis == 0 && isOpen))
+                    weights_(axis, end) = std::numeric_limits<double>::infinity();
         }
     }
 
@@ -66,36 +74,32 @@ public:
     /// Whether not all hits of a cluster may be the vehicle's.
     bool isOutgrownBy(const Cluster& cluster) const;
 
-    /// Whether a hit there is the vehicle's.
-    // Behind the faces that look away from the sensor the vehicle hides what there is of it, so
-    // what is seen there is not its own, unless it may be longer at that end. Elsewhere its hits
-    // scatter about its box.
+    /// Whether a hit there is the vehicle's: they scatter about its box.
     bool has(const Eigen::Vector2d& place) const
     {
         double squares = 0.0;
         for (int axis = 0; axis < 2; ++axis)
         {
             const double out = std::abs(place(axis)) - half_(axis);
-            if (out <= 0.0) continue;
-            const bool isBehind =
-                std::abs(view_(axis)) > half_(axis) && view_(axis) * place(axis) < 0.0;
-            const int end = place(axis) > 0.0 ? 1 : 0;
-            if (isBehind && !(axis == 0 && isOpen_[end])) return false;
-            squares += out * out * weights_(axis, end);
+            if (out > 0.0) squares += out * out * weights_(axis, place(axis) > 0.0 ? 1 : 0);
         }
         return squares < 1.0;
     }
+
+    /// The same of all hits of a cluster that belong to `none` so far: those that are the vehicle's
+    /// belong to `vehicle` from then on. Returns how many they are.
+    std::size_t claim(const Cluster& cluster, std::int32_t vehicle, std::int32_t none,
+                      std::vector<std::int32_t>& owner) const;
 
 private:
     Eigen::Vector2d half_;  // m
     Eigen::Vector2d centre_;
     Eigen::Vector2d velocity_;
     Eigen::Matrix2d toBox_;
-    Eigen::Vector2d view_;     // of the sensor, in the box
-    bool isOpen_[2];           // rear and front, where it may be longer
-    Eigen::Matrix2d weights_;  // of each axis' ends, inverse variances, 1/m^2
-    Eigen::Vector2d most_;     // extents of a cluster that is the vehicle's alone, m
-    Eigen::Array2d lowest_;    // places of its hits along and across, m
+    // Of each axis' ends: inverse variances, 1/m^2; infinite where the vehicle ends for sure.
+    Eigen::Matrix2d weights_;
+    Eigen::Vector2d most_;   // extents of a cluster that is the vehicle's alone, m
+    Eigen::Array2d lowest_;  // places of its hits along and across, m
     Eigen::Array2d highest_;
 };
 

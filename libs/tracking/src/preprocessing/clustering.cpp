@@ -167,7 +167,8 @@ ClusterOfCell numberClusters(const PlaneCells& cells, DisjointSets& sets,
 // Where the next hit of a cluster goes.
 struct Place
 {
-    float *x, *y, *z, *height;
+    float *x, *y, *z, *height;  // of the cluster
+    std::size_t next;
 };
 
 ClusteredHits gather(const LadarFrame& frame, const AboveGround& above,
@@ -180,9 +181,12 @@ ClusteredHits gather(const LadarFrame& frame, const AboveGround& above,
     {
         Cluster& c = clusters[i];
         for (auto* values : {&c.x, &c.y, &c.z, &c.height}) values->resize(numbers.hits[i]);
-        places.push_back({c.x.data(), c.y.data(), c.z.data(), c.height.data()});
+        places.push_back({c.x.data(), c.y.data(), c.z.data(), c.height.data(), 0});
     }
     const bool timed = !frame.points.time.empty();
+    const float* const x = frame.points.x.data();
+    const float* const y = frame.points.y.data();
+    const float* const z = frame.points.z.data();
     for (std::size_t i = 0; i < cellOfHit.size(); ++i)
     {
         if (cellOfHit[i] == PlaneCells::kNone) continue;
@@ -190,10 +194,11 @@ ClusteredHits gather(const LadarFrame& frame, const AboveGround& above,
         if (to == PlaneCells::kNone) continue;
         const std::size_t from = above.index[i];
         Place& place = places[to];
-        *place.x++ = frame.points.x[from];
-        *place.y++ = frame.points.y[from];
-        *place.z++ = frame.points.z[from];
-        *place.height++ = above.height[i];
+        const std::size_t next = place.next++;
+        place.x[next] = x[from];
+        place.y[next] = y[from];
+        place.z[next] = z[from];
+        place.height[next] = above.height[i];
         if (timed) clusters[to].time.push_back(frame.points.time[from]);
     }
     Cluster loose = std::move(clusters.front());

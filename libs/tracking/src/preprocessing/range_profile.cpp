@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
 
 #include "preprocessing/bearing.h"
@@ -59,6 +61,14 @@ struct LocatedBlock
             }
         });
     }
+
+    // What follows the hits of the last block.
+    void hideNothingFrom(std::size_t size)
+    {
+        std::fill(place.begin() + static_cast<std::ptrdiff_t>(size), place.end(), std::uint16_t{0});
+        std::fill(squaredRange.begin() + static_cast<std::ptrdiff_t>(size), squaredRange.end(),
+                  std::numeric_limits<float>::infinity());
+    }
 };
 
 // Glass and paint at a grazing angle return nothing: narrow gaps between hits are no free view, and
@@ -97,11 +107,16 @@ RangeProfile rangeProfile(const LadarFrame& frame, const AboveGround& aboveGroun
         const std::size_t size = std::min(LocatedBlock::kSize, aboveGround.index.size() - begin);
         block.locate(frame.points, &aboveGround.index[begin], &aboveGround.height[begin], size,
                      sensor, hidingHeight);
-        for (std::size_t i = 0; i < size; ++i)
-        {
-            float& nearest = above[block.place[i]];
-            nearest = std::min(nearest, block.squaredRange[i]);
-        }
+        block.hideNothingFrom(size);
+        // Neighbours in a scan mostly share a place, and each would wait for the one before it to
+        // be stored: hits from four parts of the block in turn do not.
+        constexpr std::size_t kPart = LocatedBlock::kSize / 4;
+        for (std::size_t i = 0; i < kPart; ++i)
+            for (std::size_t k = i; k < LocatedBlock::kSize; k += kPart)
+            {
+                float& nearest = above[block.place[k]];
+                nearest = std::min(nearest, block.squaredRange[k]);
+            }
     }
     for (float& nearest : above) nearest = std::sqrt(nearest);
     for (std::size_t k = above.size() - kProfileSectors; k-- > 0;)
