@@ -219,6 +219,18 @@ TEST(Existence, NewTracksAreNotWaitedFor)
     EXPECT_EQ(track.status, TrackStatus::Ended);
 }
 
+TEST(Existence, WhatWasPublishedIsThoughItsBoxWasTurnedSince)
+{
+    const RangeProfile wall = profileWith(kPi, 9.0F);
+    Track track = trackAhead(0.1);
+    track.status = TrackStatus::Tentative;
+    track.wasPublished = true;
+    for (int k = 1; k <= 15; ++k)
+        track =
+            withMiss(track, {0.1 * k, {0.0, 0.0}, wall, FieldOfView(groundAround())}, Unseen(), {});
+    EXPECT_NE(track.status, TrackStatus::Ended);
+}
+
 TEST(Existence, ClutterIsNotWaitedForEither)
 {
     const RangeProfile wall = profileWith(kPi, 9.0F);

@@ -9,9 +9,11 @@ namespace vdamf
 {
 namespace
 {
-PredictedTarget targetOf(const Track& track)
+PredictedTarget targetOf(const Track& track, double interval = 0.1)
 {
-    return predictedTargets({track}, Discriminator(DiscriminatorOptions())).front();
+    return predictedTargets({track}, Discriminator(DiscriminatorOptions()), interval,
+                            LifecycleOptions())
+        .front();
 }
 
 PredictedTarget targetOf(double probability, double width, double height)
@@ -33,6 +35,13 @@ Track truckOfKnownWidth()
     track.judgement.probability = 0.9;
     track.told.width = true;
     return track;
+}
+
+TEST(PredictedTargets, MayBeAsFarAsNewOnesGoBetweenTwoScans)
+{
+    const double speedSigma = LifecycleOptions().startSpeedSigma;
+    EXPECT_EQ(targetOf(truckOfKnownWidth(), 0.1).greatestSigma, 2.0);
+    EXPECT_EQ(targetOf(truckOfKnownWidth(), 0.5).greatestSigma, 0.5 * speedSigma);
 }
 
 TEST(PredictedTargets, ACarIsOneWhereThatIsSure)

@@ -20,16 +20,14 @@ double sweepOf(const std::vector<Hits>& clusters)
     return sweep;
 }
 
-// Of a target's centre along and across its box at a time, m. Beyond the greatest ones what is
-// there is no likelier this target than a new one.
+// Of a target's centre along and across its box at a time, m.
 Eigen::Vector2d placeSigma(const PredictedTarget& target, double time)
 {
-    constexpr double kGreatest = 2.0;  // m
     const double along = target.positionSigma.x();
     const double moved = time * target.speedSigma;
     const double variance = along * along + 2.0 * time * target.speedCovariance + moved * moved;
     return Eigen::Vector2d(std::sqrt(std::max(0.0, variance)), target.positionSigma.y())
-        .cwiseMin(kGreatest);
+        .cwiseMin(target.greatestSigma);
 }
 
 std::vector<PlaneBounds> reachOf(const std::vector<PredictedTarget>& targets, double sweep,

@@ -22,6 +22,7 @@ constexpr double kLowestSeenOver = 1.85;  // m
 constexpr double kCab = 2.4;              // m: what a truck carries may be higher than its cab
 constexpr double kLevel = 0.004;          // rise over run by which hits of one row differ
 constexpr std::size_t kInRow = 3;         // hits that make one
+constexpr double kLeastRun = 0.01;        // m: what is nearer lies along no ray
 
 // Rise over run from the sensor of the hits near a place, rising.
 std::vector<double> slopesNear(const Eigen::Vector2d& place, const Sighting& sighting,
@@ -34,8 +35,9 @@ std::vector<double> slopesNear(const Eigen::Vector2d& place, const Sighting& sig
         for (std::size_t i = 0; i < cluster.size(); ++i)
         {
             const Eigen::Vector2d hit(cluster.x[i], cluster.y[i]);
-            if ((hit - place).squaredNorm() < kNearEnd * kNearEnd)
-                slopes.push_back((cluster.z[i] - frame.sensorZ) / (hit - frame.sensor).norm());
+            const double run = (hit - frame.sensor).norm();
+            if (run > kLeastRun && (hit - place).squaredNorm() < kNearEnd * kNearEnd)
+                slopes.push_back((cluster.z[i] - frame.sensorZ) / run);
         }
     }
     std::sort(slopes.begin(), slopes.end());
@@ -59,9 +61,12 @@ PastEnd viewPast(const Eigen::Vector2d& place, const std::vector<double>& slopes
     const Eigen::Vector2d ray = place - frame.sensor;
     const double range = ray.norm();
     const double bearing = std::atan2(ray.y(), ray.x());
+    // What is higher is as the highest layer.
+    constexpr double kHighestLayer =
+        RangeProfile::kLowestLayer + RangeProfile::kLayers * RangeProfile::kLayer;
+    const double highest = std::min(slopes[slopes.size() - kInRow] - kLevel, kHighestLayer);
     double free = std::numeric_limits<double>::infinity();
-    for (double slope = slopes[slopes.size() - kInRow] - kLevel; slope > RangeProfile::kLowestLayer;
-         slope -= RangeProfile::kLayer)
+    for (double slope = highest; slope > RangeProfile::kLowestLayer; slope -= RangeProfile::kLayer)
     {
         const double reached = frame.profile.at(bearing, slope);
         if (reached < range - kNearer) break;

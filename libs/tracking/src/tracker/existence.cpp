@@ -209,7 +209,8 @@ Track withMiss(Track track, const OpenView& view, const Unseen& unseen,
 {
     ++track.misses;
     // What was hardly seen yet is not worth waiting for, and pieces of bushes are new ones anyway.
-    const bool isWaitedFor = unseen.mayBeVehicle && track.status != TrackStatus::Tentative;
+    const bool wasHardlySeen = track.status == TrackStatus::Tentative && !track.wasPublished;
+    const bool isWaitedFor = unseen.mayBeVehicle && !wasHardlySeen;
     double inView = 1.0;
     if (isWaitedFor) inView = unseen.showsHits ? 0.0 : shareSeenThrough(track, view);
     const double missed = 1.0 - hitProbability(track, options) * inView;

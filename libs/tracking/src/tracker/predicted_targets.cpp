@@ -39,9 +39,13 @@ bool mayHaveBeenAPart(const Track& track)
 }  // namespace
 
 std::vector<PredictedTarget> predictedTargets(const std::vector<Track>& tracks,
-                                              const Discriminator& discriminator)
+                                              const Discriminator& discriminator, double interval,
+                                              const LifecycleOptions& options)
 {
-    constexpr double kMayStand = 0.05;  // probability
+    constexpr double kMayStand = 0.05;      // probability
+    constexpr double kGreatestSigma = 2.0;  // m
+    // Between the frames of a slow sensor what is new goes farther than from one lane to another.
+    const double greatestSigma = std::max(kGreatestSigma, interval * options.startSpeedSigma);
     std::vector<PredictedTarget> all;
     all.reserve(tracks.size());
     for (const Track& track : tracks)
@@ -52,6 +56,7 @@ std::vector<PredictedTarget> predictedTargets(const std::vector<Track>& tracks,
         PredictedTarget target;
         target.box = isAsLarge ? track.box() : track.boxOfHits();
         target.positionSigma = track.boxSigma();
+        target.greatestSigma = greatestSigma;
         target.lengthSigma = isAsLarge ? track.lengthSigma() : 0.0;
         target.widthSigma = isAsLarge ? track.widthSigma() : 0.0;
         target.velocity = track.velocity();

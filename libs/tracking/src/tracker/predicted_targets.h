@@ -10,8 +10,9 @@
 
 namespace vdamf
 {
-/// By the tracks, as predicted.
+/// By the tracks, as predicted over so many seconds.
 std::vector<PredictedTarget> predictedTargets(const std::vector<Track>& tracks,
-                                              const Discriminator& discriminator);
+                                              const Discriminator& discriminator, double interval,
+                                              const LifecycleOptions& options);
 
 }  // namespace vdamf

@@ -27,6 +27,10 @@
 
 namespace vdamf
 {
+// By track: its clusters, and what they show of it.
+using Assignment = std::vector<std::vector<std::size_t>>;
+using Sightings = std::vector<std::optional<Sighting>>;
+
 class Tracker::Impl
 {
 public:
@@ -70,7 +74,9 @@ private:
         std::vector<TrackReport> lost = lostOverGap(frame.time);
         predictTracks(frame);
         enter(Stage::Association);
-        std::vector<PredictedTarget> predicted = predictedTargets(tracks_, discriminator_);
+        const auto targets = [this]
+        { return predictedTargets(tracks_, discriminator_, interval_, options_.lifecycle); };
+        std::vector<PredictedTarget> predicted = targets();
         Neighbourhood around(tracks_, discriminator_);
         segmented = withVehiclesCutOut(std::move(segmented), predicted, tracks_, around,
                                        discriminator_, options_);
@@ -84,7 +90,7 @@ private:
         enter(Stage::Update);
         if (followPlatform(sightings))
         {
-            predicted = predictedTargets(tracks_, discriminator_);
+            predicted = targets();
             around = Neighbourhood(tracks_, discriminator_);
         }
         updateTracks(segmented, view, assignment, std::move(sightings), predicted, around);
@@ -141,10 +147,9 @@ private:
                          });
     }
 
-    std::vector<std::optional<Sighting>> measureTracks(
-        const SegmentedFrame& frame, const std::vector<std::vector<std::size_t>>& assignment)
+    Sightings measureTracks(const SegmentedFrame& frame, const Assignment& assignment)
     {
-        std::vector<std::optional<Sighting>> sightings(tracks_.size());
+        Sightings sightings(tracks_.size());
         workers_.forEach(
             tracks_.size(),
             [&](std::size_t j, std::size_t)
@@ -161,7 +166,7 @@ private:
 
     // Where the platform's pose errs, tracks go with it, and are told where they were; what is not
     // known of its error is in all that is measured. Whether it errs.
-    bool followPlatform(std::vector<std::optional<Sighting>>& sightings)
+    bool followPlatform(Sightings& sightings)
     {
         const auto platform = alignment_.motionOf(tracks_, sightings, options_.visibility);
         if (!platform) return false;
@@ -178,8 +183,7 @@ private:
     }
 
     void updateTracks(const SegmentedFrame& frame, const FieldOfView& field,
-                      const std::vector<std::vector<std::size_t>>& assignment,
-                      std::vector<std::optional<Sighting>> sightings,
+                      const Assignment& assignment, Sightings sightings,
                       const std::vector<PredictedTarget>& predicted, const Neighbourhood& around)
     {
         const OpenView view{frame.time, frame.sensor, frame.profile, field, interval_};
@@ -215,9 +219,7 @@ private:
                 track.stood() && anyLiesOn(at, frame.loose, frame.sensor, options_.association)};
     }
 
-    // Returns the assignment with the new tracks.
-    std::vector<std::vector<std::size_t>> startTracks(
-        const SegmentedFrame& frame, std::vector<std::vector<std::size_t>> assignment)
+    Assignment startTracks(const SegmentedFrame& frame, Assignment assignment)
     {
         std::vector<bool> claimed(frame.clusters.size(), false);
         for (const auto& taken : assignment)
@@ -232,8 +234,7 @@ private:
         return assignment;
     }
 
-    void judgeTracks(const SegmentedFrame& frame,
-                     const std::vector<std::vector<std::size_t>>& assignment)
+    void judgeTracks(const SegmentedFrame& frame, const Assignment& assignment)
     {
         workers_.forEach(tracks_.size(),
                          [&](std::size_t j, std::size_t)
@@ -263,7 +264,6 @@ private:
         result.clusters = segmented.clusters.size();
         result.alignment = alignment_.inWorld(frame.origin.head<2>());
         result.tracks = std::move(tracks);
-        result.tracks.reserve(result.tracks.size() + tracks_.size());
         for (const Track& track : tracks_) result.tracks.push_back(reportAt(frame.origin, track));
         return result;
     }

@@ -52,6 +52,9 @@ struct PredictedTarget
     /// m^2/s: at the time of a cluster that place is better or less known than at the frame's.
     double speedSigma = 0.0;
     double speedCovariance = 0.0;
+    /// The most that counts of what its place is uncertain by, m: farther off, hits are no likelier
+    /// its own than those of a new one.
+    double greatestSigma = 2.0;
     /// Surely a vehicle that ends where its box does: what goes on beyond is something else. Trucks
     /// are open between their axles, and what is taken for the end of one may be: a truck is where
     /// its size is known.
