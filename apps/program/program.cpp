@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <exception>
+#include <new>
 #include <stdexcept>
 #include <system_error>
 
@@ -26,7 +27,7 @@ void onSignal(int /*signal*/)
 int saidWhy(const Program& program, const std::exception& error, int exitCode)
 {
     const char* const wipeProgress = isTerminal() ? "\r\033[K" : "";
-    std::fprintf(stderr, "%s%s: %s\n", wipeProgress, program.name.c_str(), error.what());
+    std::fprintf(stderr, "%s%s: %s\n", wipeProgress, program.name.c_str(), reasonOf(error).c_str());
     return exitCode;
 }
 
@@ -118,6 +119,11 @@ int runProgram(int argc, const char* const* argv, const Program& program)
     {
         return saidWhy(program, error, kFailed);
     }
+}
+
+std::string reasonOf(const std::exception& error)
+{
+    return dynamic_cast<const std::bad_alloc*>(&error) ? "out of memory" : error.what();
 }
 
 const std::atomic<bool>& catchSignals()

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <atomic>
 #include <cstdio>
+#include <exception>
 #include <functional>
 #include <string>
 
@@ -28,6 +29,9 @@ struct Program
 /// that begins with the program's name. A bare Program has `--help` and `--version`. An option
 /// whose value is empty is bad use. Options that are integers take decimal numbers alone.
 int runProgram(int argc, const char* const* argv, const Program& program);
+
+/// What an exception says; "out of memory" where that is why.
+std::string reasonOf(const std::exception& error);
 
 /// From now on SIGINT, SIGTERM and, unless it is ignored, SIGHUP set the flag that is returned, and
 /// interrupt what waits for a pipe.

@@ -41,9 +41,11 @@ public:
             "-o scans.rawlog");
         command->add_option("folder", job_.folder, "Its .pcd, .ply and .bin, by name")->required();
         command->add_option("--poses", job_.poses, "Of the vehicle, TUM or KITTI format");
-        command->add_option("--times", job_.times, "Times of the clouds, one a line");
+        CLI::Option* times =
+            command->add_option("--times", job_.times, "Times of the clouds, one a line");
         command->add_option("--rate", rate_, "Clouds a second, where there are no times")
-            ->check(within(0.1, 100.0));
+            ->check(within(0.1, 100.0))
+            ->excludes(times);
         command->add_option("--point-time", pointTime_, "Unit of the field of the hits' times")
             ->check(CLI::IsMember({"auto", "none", "s", "ms", "us", "ns"}))
             ->capture_default_str();

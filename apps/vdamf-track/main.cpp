@@ -189,7 +189,7 @@ int track(const Cli& cli, const vdamf::TrackRawlogJob& job)
     {
         const std::string kept = keptIn({cli.output, cli.tracks}, frames);
         if (kept.empty()) throw;
-        throw std::runtime_error(error.what() + ("; of the " + std::to_string(frames)) +
+        throw std::runtime_error(vdamf::reasonOf(error) + ("; of the " + std::to_string(frames)) +
                                  " frames done, those written before are in " + kept);
     }
     if (progress) std::fprintf(stderr, "\n");

@@ -155,7 +155,7 @@ inline void printConsistency(std::FILE* to, const NisReport& nis)
 inline void printTimes(std::FILE* to, const TrackRawlogSummary& s)
 {
     const auto perFrame = [&](double seconds)
-    { return 1e3 * seconds / static_cast<double>(std::max<std::uint64_t>(1, s.frames)); };
+    { return 1e3 * seconds / static_cast<double>(s.frames); };
     const auto ms = [&](const char* name, double seconds)
     { std::fprintf(to, "  %-18s %8.2f ms\n", name, perFrame(seconds)); };
     std::fprintf(to, "\n  per frame\n");
@@ -183,7 +183,7 @@ inline void printSummary(std::FILE* to, const TrackRawlogSummary& s)
     if (s.aligned > 0) row("  corrected", correctionText(s));
     row("entries", entriesText(s.read));
     printConsistency(to, s.nis);
-    printTimes(to, s);
+    if (s.frames > 0) printTimes(to, s);
 }
 
 }  // namespace vdamf

@@ -22,7 +22,7 @@ void declareFilter(CLI::App& command, FilterCommandLine& line)
         ->check(CLI::Range(0, 1000000))
         ->capture_default_str();
     command.add_option("--folds", training.folds, "of the cross-validation by vehicles; 0: none")
-        ->check(CLI::Range(0, 50))
+        ->check(CLI::IsMember({0}) | CLI::Range(2, 50))
         ->capture_default_str();
     command.add_option("--seed", training.seed, "of the split into folds")
         ->check(CLI::Range(0, 2147483647))

@@ -93,8 +93,8 @@ TEST_F(ImportFormats, ABadCommandLineIsTwo)
          {"velodyne-pcap", "velodyne-pcap c.pcap", "velodyne-pcap c.pcap -o o --model VLP-32",
           "velodyne-pcap c.pcap -o o --sensor-pose 1 2 3", "velodyne-pcap c.pcap -o -",
           "velodyne-pcap c.pcap -o c.pcap", "clouds", "clouds in -o o --rate 0",
-          "clouds in -o o --point-time hours", "clouds in -o p.txt --poses p.txt",
-          "clouds in -o o --label vdamf_tracks"})
+          "clouds in -o o --point-time hours", "clouds in -o o --rate 10 --times t.txt",
+          "clouds in -o p.txt --poses p.txt", "clouds in -o o --label vdamf_tracks"})
         EXPECT_EQ(import(bad).exitCode, 2) << bad;
     for (const std::string bad :
          {"--cut-azimuth-deg nan", "--cut-azimuth-deg 361", "--sensor-pose 1 2 inf 0 0 0"})

@@ -13,6 +13,7 @@
 
 #include "apps/track_fixture.h"
 #include "vdamf/evaluation/tables.h"
+#include "vdamf/files/text_file.h"
 #include "vdamf/rawlog/rawlog_writer.h"
 #include "vdamf/rawlog/scan.h"
 
@@ -118,6 +119,15 @@ TEST_F(TrackErrors, KeepsWhatWasDoneBeforeATruncation)
     std::set<double> times;
     for (const TrackRow& row : readTracks(at("t.csv"))) times.insert(row.time);
     EXPECT_GT(times.size(), 15U);
+}
+
+TEST_F(TrackErrors, NamesTheDamageThatLeftNoScan)
+{
+    const std::string whole = readTextFile(kStreet);
+    make("cut.rawlog", whole.substr(0, 1000));
+    const Outcome run = track(in("cut.rawlog") + " --tracks " + path("t.csv"));
+    EXPECT_EQ(run.exitCode, 1);
+    EXPECT_THAT(run.output, AllOf(HasSubstr("no scans"), HasSubstr("truncated: the gz stream")));
 }
 
 TEST_F(TrackErrors, GuardsItsOutputs)

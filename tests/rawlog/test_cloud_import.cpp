@@ -102,6 +102,19 @@ TEST_F(CloudImportTest, TimesAreFromAFileOrNamesOrPoses)
     EXPECT_NEAR(scans().at(1).time, 1317042146.5, 1e-6);
 }
 
+TEST_F(CloudImportTest, PosesOfAnotherClockAreRefused)
+{
+    cloud("1.ply", 1);
+    cloud("2.ply", 2);
+    job_.rate = 10.0;
+    job_.poses = make("p.tum", "1700000000 0 0 0 0 0 0 1\n1700000001 1 0 0 0 0 0 1\n");
+    EXPECT_THAT(error(), AllOf(HasSubstr("p.tum: its poses are at 1700000000.000 to"),
+                               HasSubstr("the scans at 0.000 to 0.100 s")));
+    EXPECT_FALSE(std::filesystem::exists(job_.output.rawlog));
+    job_.poses = make("p.tum", "0.05 0 0 0 0 0 0 1\n0.2 1 0 0 0 0 0 1\n");
+    EXPECT_EQ(error(), "none") << "some have one";
+}
+
 TEST_F(CloudImportTest, TimesInAnotherUnitAreRefusedButInNames)
 {
     cloud("a.ply", 1);

@@ -50,16 +50,21 @@ void writeTextFile(const std::filesystem::path& path, std::string_view text)
     file.commit();
 }
 
-std::string inQuotes(std::string_view text)
+std::string printable(std::string_view text)
 {
-    constexpr std::size_t kLongest = 60;
-    std::string shown = "'";
-    for (const char c : text.substr(0, kLongest))
+    std::string shown;
+    for (const char c : text)
     {
         const auto code = static_cast<unsigned char>(c);
         shown += (code < 0x20 || code == 0x7F) ? '?' : c;
     }
-    return shown + (text.size() > kLongest ? "...'" : "'");
+    return shown;
+}
+
+std::string inQuotes(std::string_view text)
+{
+    constexpr std::size_t kLongest = 60;
+    return "'" + printable(text.substr(0, kLongest)) + (text.size() > kLongest ? "...'" : "'");
 }
 
 }  // namespace vdamf

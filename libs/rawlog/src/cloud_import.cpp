@@ -140,7 +140,7 @@ CloudImportSummary importClouds(const CloudImport& job)
     summary.times = times.source;
     summary.poses = poses.size();
     summary.seconds = times.seconds.back() - times.seconds.front();
-    ImportWriter writer(job.output, std::move(poses));
+    ImportWriter writer(job.output, std::move(poses), job.poses);
     for (std::size_t i = 0; i < clouds.size(); ++i)
     {
         FileCloud cloud = readCloudFile(clouds[i], job.pointTime);

@@ -2,7 +2,11 @@
 #include "import_writer.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <limits>
+#include <stdexcept>
+#include <string>
+#include <utility>
 
 #include "kitti_observations.h"
 
@@ -16,8 +20,11 @@ RawlogWriter::Options writerOptions(const ImportOutput& output)
     return options;
 }
 
-ImportWriter::ImportWriter(const ImportOutput& output, std::vector<FilePose> poses)
-    : rawlog_(output.rawlog, writerOptions(output)), poses_(std::move(poses))
+ImportWriter::ImportWriter(const ImportOutput& output, std::vector<FilePose> poses,
+                           std::filesystem::path posesFile)
+    : rawlog_(output.rawlog, writerOptions(output)),
+      poses_(std::move(poses)),
+      posesFile_(std::move(posesFile))
 {
 }
 
@@ -30,12 +37,33 @@ void ImportWriter::write(double time, const mrpt::obs::CObservation& scan)
 {
     writeUntil(time);
     rawlog_.write(scan);
+    firstScan_ = std::min(time, firstScan_.value_or(time));
+    lastScan_ = std::max(time, lastScan_);
 }
 
 void ImportWriter::commit()
 {
+    checkPosesOfScans();
     writeUntil(std::numeric_limits<double>::infinity());
     rawlog_.commit();
+}
+
+void ImportWriter::checkPosesOfScans() const
+{
+    if (poses_.empty() || !firstScan_) return;
+    const double firstPose = *poses_.front().time;
+    const double lastPose = *poses_.back().time;
+    if (firstPose <= lastScan_ && lastPose >= *firstScan_) return;
+    const auto range = [](double first, double last)
+    {
+        char text[80];
+        std::snprintf(text, sizeof text, "%.3f to %.3f s", first, last);
+        return std::string(text);
+    };
+    throw std::runtime_error(posesFile_.string() + ": its poses are at " +
+                             range(firstPose, lastPose) + ", the scans at " +
+                             range(*firstScan_, lastScan_) +
+                             " (UNIX): none of them would have one; do they have one clock?");
 }
 
 void ImportWriter::writeUntil(double time)

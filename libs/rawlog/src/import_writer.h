@@ -4,6 +4,8 @@
 
 #include <mrpt/obs/CObservation.h>
 
+#include <filesystem>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,20 +22,27 @@ RawlogWriter::Options writerOptions(const ImportOutput& output);
 class ImportWriter
 {
 public:
-    /// `poses` with times, by rising time.
-    ImportWriter(const ImportOutput& output, std::vector<FilePose> poses);
+    /// `poses` with times, by rising time, of a file.
+    ImportWriter(const ImportOutput& output, std::vector<FilePose> poses,
+                 std::filesystem::path posesFile);
 
     /// Something between scans, which need not come in its order with them.
     void add(double time, const mrpt::obs::CObservation& observation);
     /// A scan, after all that is earlier.
     void write(double time, const mrpt::obs::CObservation& scan);
+    /// Throws std::runtime_error that names the file of poses where no scan lies within their
+    /// times.
     void commit();
 
 private:
     void writeUntil(double time);
+    void checkPosesOfScans() const;
 
     RawlogWriter rawlog_;
     std::vector<FilePose> poses_;
+    std::filesystem::path posesFile_;
+    std::optional<double> firstScan_;  // s (UNIX)
+    double lastScan_ = 0.0;            // s (UNIX)
     std::size_t nextPose_ = 0;
     std::vector<std::pair<double, std::string>> waiting_;
 };

@@ -13,6 +13,7 @@
 #include "object_header.h"
 #include "object_parser.h"
 #include "timed_points_map.h"
+#include "vdamf/files/text_file.h"
 
 namespace vdamf
 {
@@ -104,13 +105,13 @@ struct RawlogReader::Impl
                                  kindOfForeignFile(window.loaded()));
     }
 
-    RawlogEntry take(RawlogEntry::Kind kind, std::size_t bytes, std::string problem = {})
+    RawlogEntry take(RawlogEntry::Kind kind, std::size_t bytes, const std::string& problem = {})
     {
         RawlogEntry entry;
         entry.kind = kind;
         entry.offset = window.offset();
         entry.bytes = window.take(bytes);
-        entry.problem = std::move(problem);
+        entry.problem = printable(problem);
         count(entry);
         return entry;
     }

@@ -64,7 +64,7 @@ public:
         : job_(job),
           capture_(job.capture),
           calibration_(calibrationOf(job)),
-          writer_(job.output, timedPoses(job))
+          writer_(job.output, timedPoses(job), job.poses)
     {
         if (!job.poses.empty()) summary_.poses = readPoseFile(job.poses).size();
     }

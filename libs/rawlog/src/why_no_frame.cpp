@@ -32,6 +32,17 @@ std::string posesText(const TrackRawlogJob& job, const TrackRawlogSummary& summa
     return none + askedFor(ins.label, "ins") +
            (ins.label.empty() ? "" : butOthers(summary.ins.labels));
 }
+// " (2 damaged entries left out; truncated: ...)"; nothing where the file is whole.
+std::string damageText(const RawlogSummary& read)
+{
+    std::string text;
+    if (read.damaged > 0)
+        text = std::to_string(read.damaged) + " damaged " +
+               (read.damaged == 1 ? "entry" : "entries") + " left out";
+    if (read.truncated)
+        text += std::string(text.empty() ? "" : "; ") + "truncated: " + read.truncation;
+    return text.empty() ? "" : " (" + text + ")";
+}
 }  // namespace
 
 std::string whyNoFrame(const TrackRawlogJob& job, const TrackRawlogSummary& summary,
@@ -45,7 +56,7 @@ std::string whyNoFrame(const TrackRawlogJob& job, const TrackRawlogSummary& summ
         return "no scans" +
                (label.empty() ? " (of a class that can be tracked on)" : askedFor(label, "scan")) +
                " among its " + std::to_string(summary.read.objects) + " objects" +
-               (label.empty() ? "" : butOthers(summary.scanLabels));
+               damageText(summary.read) + (label.empty() ? "" : butOthers(summary.scanLabels));
     if (summary.scans == 0)
         return "no frame in the range asked for: it begins at frame " +
                std::to_string(job.firstFrame) + ", the rawlog has the frames 0 to " +

@@ -17,6 +17,9 @@ std::string readTextFile(const std::filesystem::path& path, std::size_t maxBytes
 /// std::runtime_error that names the file.
 void writeTextFile(const std::filesystem::path& path, std::string_view text);
 
+/// With `?` for what would steer a terminal.
+std::string printable(std::string_view text);
+
 /// `'text'`, cut after 60 characters and with unprintable ones as `?`, to quote input in messages.
 std::string inQuotes(std::string_view text);
 
