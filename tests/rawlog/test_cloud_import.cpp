@@ -94,9 +94,10 @@ TEST_F(CloudImportTest, TimesAreFromAFileOrNamesOrPoses)
     job_.poses = make("p.tum", "100 0 0 0 0 0 0 1\n101 1 0 0 0 0 0 1\n");
     importClouds(job_);
     EXPECT_NEAR(scans().at(1).time, 101.0, 1e-6);
-    job_.times = make("times.txt", "7.5\n8.5\n");
+    job_.times = make("times.txt", "100.25\n100.75\n");
     importClouds(job_);
-    EXPECT_NEAR(scans().at(1).time, 8.5, 1e-6);
+    EXPECT_NEAR(scans().at(1).time, 100.75, 1e-6);
+    job_.poses.clear();
     job_.times = make("times.txt", "2011-09-26 13:02:25.5\n2011-09-26 13:02:26.5\n");
     importClouds(job_);
     EXPECT_NEAR(scans().at(1).time, 1317042146.5, 1e-6);
