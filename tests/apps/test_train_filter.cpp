@@ -78,6 +78,7 @@ TEST_F(TrainFilterApp, RefusesSourcesThatItCannotLearnFrom)
     make("few.ini", "[simulated a]\nkind = car\nclusters = 3\n");
     EXPECT_EQ(run("vdamf-train", "filter few.ini -o f.txt --folds 5" + kFew), 1);
     EXPECT_THAT(output_, HasSubstr("too few vehicles"));
+    EXPECT_EQ(run("vdamf-train", "filter few.ini -o f.txt --folds 1" + kFew), 2) << "0: none";
     EXPECT_FALSE(fs::exists(at("f.txt")));
 }
 

@@ -151,6 +151,9 @@ TEST_F(PrepareSweep, GroupsHaveTruthScoringAndKeysOfTheirOwn)
         problemOf(sweepFile("", "scan.deskew = true, false",
                             std::string(kRecordings) + "\nset = scan.labl=x")),
         AllOf(HasSubstr("sweep.ini:9: [recordings] set: "), HasSubstr("did you mean 'label'?")));
+    EXPECT_THAT(problemOf(sweepFile("", "scan.deskew = true, false",
+                                    std::string(kRecordings) + "\nset = scan.label")),
+                HasSubstr("[recordings] set: expected section.key=value, found 'scan.label'"));
 }
 
 TEST_F(PrepareSweep, NamesStandInCellsOfTheTable)

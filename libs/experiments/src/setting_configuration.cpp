@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "split.h"
+#include "vdamf/files/text_file.h"
 #include "vdamf/rawlog/configuration.h"
 
 namespace vdamf
@@ -134,6 +135,11 @@ std::string problemsOfGroup(const SweepFile& file, const IniDocument& base,
                               "] set: ";
     for (const std::string& set : assignmentsOf(group))
     {
+        if (set.find('=') == std::string::npos)
+        {
+            problems += where + "expected section.key=value, found " + inQuotes(set) + "\n";
+            continue;
+        }
         for (const SweptKey& key : file.keys)
             if (nameOf(set) == key.name)
                 problems += where + key.name + " is varied as well; remove one\n";

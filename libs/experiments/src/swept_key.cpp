@@ -68,7 +68,8 @@ std::vector<std::string> steps(std::string_view whole, double from, double step,
 std::vector<std::string> ratios(std::string_view whole, const SweptInterval& range, double count)
 {
     if (count != std::floor(count) || count < 2.0 || count > kMostValues)
-        fail(whole, "expected 'log from : to : count' with a count of 2 or more");
+        fail(whole,
+             "expected 'log from : to : count' with a count from 2 to " + toText(kMostValues));
     std::vector<std::string> values;
     for (int i = 0; i < static_cast<int>(count); ++i)
     {
