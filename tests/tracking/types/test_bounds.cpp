@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <vector>
 
 #include "tracker/sighting.h"
 #include "types/cluster_bounds.h"
 #include "types/hit_bounds.h"
+#include "types/lane_bounds.h"
 
 namespace vdamf
 {
@@ -27,6 +29,16 @@ Cluster scattered(std::size_t size)
         cluster.height.push_back(0.02F * place(generator));
     }
     return cluster;
+}
+
+TEST(Bounds, OfNumbersAreTheirLeastAndGreatest)
+{
+    for (std::size_t size = 1; size <= 33; ++size)
+    {
+        const std::vector<float> x = scattered(size).x;
+        EXPECT_EQ(leastOf(x.data(), size), *std::min_element(x.begin(), x.end())) << size;
+        EXPECT_EQ(greatestOf(x.data(), size), *std::max_element(x.begin(), x.end())) << size;
+    }
 }
 
 TEST(Bounds, AreThoseOfAllHitsOfACluster)

@@ -7,7 +7,7 @@
 #include <limits>
 #include <utility>
 
-#include "types/lanes.h"
+#include "types/lane_bounds.h"
 #include "types/wide_lanes.h"
 #include "vdamf/tracking/types/geometry.h"
 
@@ -207,31 +207,13 @@ inline void learnFrom(Profiles& p, std::size_t to, std::size_t from, float arcVa
     p.ss[to] += w * (p.ss[from] - p.ss[to]);
 }
 
-float leastOf(const Profiles::Row& row)
-{
-    static_assert(kSurfaceSectors % kLanes<Floats> == 0);
-    float all = row.front();
-    inWideLanes([ from = row.data(), result = &all ]() __attribute__((always_inline)) {
-        Floats least = Floats{} + *result;
-        for (std::size_t s = 0; s < kSurfaceSectors; s += kLanes<Floats>)
-        {
-            Floats next;
-            load(next, from + s);
-            least = next < least ? next : least;
-        }
-        for (std::size_t k = 0; k < kLanes<Floats>; ++k) *result = std::min(*result, least[k]);
-    });
-    return all;
-}
-
 // Sectors that see the ground teach those that do not: once around the circle both ways, from the
 // one that knows best.
 void exchangeAcross(Profiles& p, float range)
 {
     const float arc = range * static_cast<float>(2.0 * kPi) / static_cast<float>(kSurfaceSectors);
     const float arcVariance = arc * kLateralNoise;
-    const float least = leastOf(p.hh);
-    const auto best = std::find(p.hh.begin(), p.hh.end(), least);
+    const auto best = std::find(p.hh.begin(), p.hh.end(), leastOf(p.hh.data(), p.hh.size()));
     const auto start = static_cast<std::size_t>(best - p.hh.begin());
     for (std::size_t i = start + 1; i < start + kSurfaceSectors; ++i)
         learnFrom(p, i % kSurfaceSectors, (i - 1) % kSurfaceSectors, arcVariance);

@@ -20,6 +20,7 @@
 #include "tracker/partial_faces.h"
 #include "tracker/rough_ends.h"
 #include "types/hit_bounds.h"
+#include "types/lane_bounds.h"
 #include "types/lanes.h"
 #include "types/wide_lanes.h"
 #include "vdamf/tracking/estimation/visibility.h"
@@ -138,21 +139,7 @@ Sighting turnedBy(Sighting sighting, int quarters)
 double heightOf(const Cluster& cluster)
 {
     if (cluster.height.empty()) return 0.0;
-    float highest = cluster.height.front();
-    inWideLanes([
-        height = cluster.height.data(), size = cluster.height.size(), result = &highest
-    ]() __attribute__((always_inline)) {
-        Floats most = Floats{} + *result;
-        const auto add = [&](std::size_t first, std::size_t count) __attribute__((always_inline))
-        {
-            Floats h;
-            loadRepeating(h, height + first, count);
-            most = h > most ? h : most;
-        };
-        inGroupsOf<kLanes<Floats>>(size, add);
-        for (std::size_t k = 0; k < kLanes<Floats>; ++k) *result = std::max(*result, most[k]);
-    });
-    return highest;
+    return greatestOf(cluster.height.data(), cluster.height.size());
 }
 
 Hits projected(const Cluster& cluster, double mergeCell, bool planar)

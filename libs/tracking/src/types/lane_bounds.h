@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Least and greatest coordinates of many points, some of them at a time.
+// Least and greatest of many numbers, and of the coordinates of points, some of them at a time.
 #pragma once
 
 #include <algorithm>
@@ -40,5 +40,9 @@ struct LaneBounds
 
     Lanes minX, maxX, minY, maxY;
 };
+
+/// Of one number at least.
+float leastOf(const float* numbers, std::size_t count);
+float greatestOf(const float* numbers, std::size_t count);
 
 }  // namespace vdamf
