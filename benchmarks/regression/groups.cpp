@@ -2,6 +2,7 @@
 #include "regression/groups.h"
 
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <numeric>
 
@@ -37,6 +38,12 @@ std::vector<double> knownValues(const std::vector<RegressionRow>& rows, const ch
 double meanOf(const std::vector<double>& values)
 {
     return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+double rmsOf(const std::vector<double>& values)
+{
+    const double squares = std::inner_product(values.begin(), values.end(), values.begin(), 0.0);
+    return std::sqrt(squares / static_cast<double>(values.size()));
 }
 
 std::string cell(const char* format, double value)

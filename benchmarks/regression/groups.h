@@ -31,6 +31,7 @@ std::vector<double> knownValues(const std::vector<RegressionRow>& rows, const ch
 
 /// Of at least one value.
 double meanOf(const std::vector<double>& values);
+double rmsOf(const std::vector<double>& values);
 
 /// A number as printf shows it.
 std::string cell(const char* format, double value);

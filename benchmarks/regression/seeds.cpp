@@ -2,7 +2,6 @@
 #include "regression/seeds.h"
 
 #include <array>
-#include <cmath>
 #include <cstdio>
 #include <utility>
 
@@ -43,12 +42,6 @@ Band bandOf(std::size_t runs, int dimension)
     const double freedom = static_cast<double>(runs) * dimension;
     return {chiSquareQuantile(kTail, freedom) / freedom,
             chiSquareQuantile(1.0 - kTail, freedom) / freedom};
-}
-
-double rmsOf(std::vector<double> values)
-{
-    for (double& value : values) value *= value;
-    return std::sqrt(meanOf(values));
 }
 
 std::string neesCell(const RegressionGroup& group, const Nees& nees)
