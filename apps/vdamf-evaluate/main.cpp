@@ -202,6 +202,15 @@ vdamf::ScoredTables tablesOf(const CommandLine& line)
                              inWords(*tracked) + ")");
 }
 
+/// On stderr: the zeros of nothing would pass for the tracker's.
+void warnOfNothingScored(const CommandLine& line, std::size_t rows)
+{
+    std::fprintf(stderr,
+                 "vdamf-evaluate: %s: nothing is scored: none of its %zu rows is of the classes "
+                 "asked for, has at least %d hits and lies in the region\n",
+                 line.truth.c_str(), rows, line.options.scoring.minPoints);
+}
+
 int run(const CommandLine& line)
 {
     const vdamf::ScoredTables tables = tablesOf(line);
@@ -209,6 +218,7 @@ int run(const CommandLine& line)
     const vdamf::Evaluation evaluation = vdamf::namingTables(
         line.truth, line.tracks,
         [&] { return vdamf::evaluate(tables.truth, tables.tracks, line.options); });
+    if (evaluation.counts.objectRows == 0) warnOfNothingScored(line, tables.truth.size());
     if (!line.plots.empty() && !isOnePicture(line.plots)) vdamf::makeFolder(line.plots);
     const std::vector<Output> outputs = contentsOf(line, evaluation);
     write(outputs, line.overwrite);

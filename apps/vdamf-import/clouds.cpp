@@ -73,7 +73,7 @@ public:
         const CloudImportSummary summary = importClouds(job_);
         const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
         if (summary.stopped) return saidInterrupted();
-        summarise(summary, taken.count());
+        if (!isQuiet()) summarise(summary, taken.count());
         return kDone;
     }
 

@@ -11,6 +11,7 @@ void ImportCommand::declareOutput(CLI::App& command)
 {
     command.add_option("-o,--output", rawlog_, "Rawlog to write")->required();
     command.add_flag("--overwrite", overwrite_, "Replace existing outputs");
+    command.add_flag("-q,--quiet", quiet_, "No progress, no summary");
     command.add_option("--gz-level", gzLevel_, "Compression, 0 (none) to 9")
         ->check(CLI::Range(0, 9))
         ->capture_default_str();
@@ -23,7 +24,7 @@ ImportOutput ImportCommand::output() const
     output.rawlog = rawlog_;
     output.existing = overwrite_ ? OutputFile::Existing::Overwrite : OutputFile::Existing::Refuse;
     output.gzLevel = gzLevel_;
-    output.progress = showProgress;
+    output.progress = [this](std::size_t scans, double share) { return goOn(scans, share); };
     return output;
 }
 
@@ -42,6 +43,15 @@ void ImportCommand::finishSummary(std::FILE* to, std::size_t scans, double secon
     std::fprintf(to, "  time taken  %.1f s (%.1f frames/s)\n", seconds,
                  static_cast<double>(scans) / seconds);
     checkPrinted(to);
+}
+
+bool ImportCommand::goOn(std::size_t scans, double share) const
+{
+    const bool stops = isInterrupted();
+    if (!quiet_ && isTerminal())
+        std::fprintf(stderr, "\rscan %zu, %3.0f %%%s", scans, 100.0 * share,
+                     share >= 1.0 || stops ? "\n" : "");
+    return !stops;
 }
 
 void refuseDash(const std::filesystem::path& output)
@@ -72,15 +82,6 @@ Eigen::Isometry3d sensorPoseFrom(const std::vector<double>& n)
                      Eigen::AngleAxisd(n.at(5) * kDegree, Eigen::Vector3d::UnitX()))
                         .toRotationMatrix();
     return pose;
-}
-
-bool showProgress(std::size_t scans, double share)
-{
-    const bool stops = isInterrupted();
-    if (isTerminal())
-        std::fprintf(stderr, "\rscan %zu, %3.0f %%%s", scans, 100.0 * share,
-                     share >= 1.0 || stops ? "\n" : "");
-    return !stops;
 }
 
 int saidInterrupted()

@@ -28,6 +28,9 @@ protected:
     void declareOutput(CLI::App& command);
     /// The output as asked for. Throws std::invalid_argument for '-'.
     ImportOutput output() const;
+    bool isQuiet() const { return quiet_; }
+    /// True as long as no signal asked to stop; shows the progress on a terminal, unless quiet.
+    bool goOn(std::size_t scans, double share) const;
     /// Where the summary goes: not into the midst of an output.
     std::FILE* summaryStream(const std::vector<std::filesystem::path>& others = {}) const;
     /// The last lines of each summary. Throws where the stream cannot be written.
@@ -37,6 +40,7 @@ protected:
 
 private:
     bool overwrite_ = false;
+    bool quiet_ = false;
     int gzLevel_ = 1;
 };
 
@@ -49,8 +53,6 @@ void declareSensorPose(CLI::App& command, std::vector<double>& numbers);
 /// "x y z yaw pitch roll", m and deg.
 Eigen::Isometry3d sensorPoseFrom(const std::vector<double>& numbers);
 
-/// True as long as no signal asked to stop; shows the progress on a terminal.
-bool showProgress(std::size_t scans, double share);
 int saidInterrupted();
 
 }  // namespace vdamf

@@ -34,8 +34,8 @@ public:
         job_.existing = wanted.existing;
         job_.gzLevel = wanted.gzLevel;
         if (!truth_.empty()) job_.truth = truth_;
-        job_.progress = [](std::size_t done, std::size_t all)
-        { return showProgress(done, static_cast<double>(done) / static_cast<double>(all)); };
+        job_.progress = [this](std::size_t done, std::size_t all)
+        { return goOn(done, static_cast<double>(done) / static_cast<double>(all)); };
         checkPaths(job_);
     }
 
@@ -45,7 +45,8 @@ public:
         const KittiImportSummary summary = importKittiDrive(job_);
         const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
         if (summary.stopped) return saidInterrupted();
-        summarise(summary, taken.count());
+        if (!isQuiet()) summarise(summary, taken.count());
+        warn(summary);
         return kDone;
     }
 
@@ -55,19 +56,25 @@ private:
         std::FILE* const to = summaryStream({truth_});
         std::fprintf(to, "%s\n", rawlog_.string().c_str());
         std::fprintf(to, "  frames      %zu (%.1f s)\n", summary.scans, summary.seconds);
-        if (summary.missingScans > 0)
-            std::fprintf(to, "  left out    %zu scans: they have a time, but no file\n",
-                         summary.missingScans);
         std::fprintf(to, "  points      %zu (%.0f a frame)\n", summary.points,
                      static_cast<double>(summary.points) / static_cast<double>(summary.scans));
         std::fprintf(to, "  poses       %zu\n", summary.poses);
         if (!truth_.empty())
             std::fprintf(to, "  labels      %zu of %zu objects in %s\n", summary.labels,
                          summary.objects, truth_.string().c_str());
-        if (summary.labelsWithoutPose > 0)
-            std::fprintf(to, "  left out    %zu labels: no INS pose at the time of their scan\n",
-                         summary.labelsWithoutPose);
         finishSummary(to, summary.scans, seconds);
+    }
+
+    // What was left out, on stderr.
+    void warn(const KittiImportSummary& summary) const
+    {
+        const auto line = [this](std::size_t count, const char* what)
+        {
+            if (count > 0)
+                std::fprintf(stderr, "%s: left out: %zu %s\n", job_.drive.c_str(), count, what);
+        };
+        line(summary.missingScans, "scans that have a time, but no file");
+        line(summary.labelsWithoutPose, "labels without an INS pose at the time of their scan");
     }
 
     KittiImport job_;

@@ -53,7 +53,8 @@ public:
         const VelodyneImportSummary summary = importVelodyne(job_);
         const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
         if (summary.stopped) return saidInterrupted();
-        summarise(summary, taken.count());
+        if (!isQuiet()) summarise(summary, taken.count());
+        warn(summary);
         if (summary.capture.problem.empty()) return kDone;
         std::fprintf(stderr, "vdamf-import: %s: %s; the %zu scans before are in %s\n",
                      job_.capture.c_str(), summary.capture.problem.c_str(), summary.scans,
@@ -75,9 +76,6 @@ private:
         std::fprintf(to, "  packets     %llu with returns, %llu with positions, %llu others\n",
                      number(summary.capture.data), number(summary.capture.positions),
                      number(summary.capture.other));
-        if (summary.capture.cut > 0)
-            std::fprintf(to, "  left out    %llu packets captured without their end\n",
-                         number(summary.capture.cut));
         if (summary.clockRestarts > 0)
             std::fprintf(to, "  clock       the sensor's started anew %zu times\n",
                          summary.clockRestarts);
@@ -87,6 +85,15 @@ private:
                          ? ""
                          : " (a sensor that stood still: vdamf-track --set ins.source=standing)");
         finishSummary(to, summary.scans, seconds);
+    }
+
+    // What was left out, on stderr.
+    void warn(const VelodyneImportSummary& summary) const
+    {
+        if (summary.capture.cut > 0)
+            std::fprintf(stderr, "%s: left out: %llu packets captured without their end\n",
+                         job_.capture.c_str(),
+                         static_cast<unsigned long long>(summary.capture.cut));
     }
 
     VelodyneImport job_;

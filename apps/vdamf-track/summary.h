@@ -93,8 +93,11 @@ inline void warnOfTimes(const TrackRawlogSummary& s, const std::string& input)
 /// What was met among the entries besides those that can be read, on stderr.
 inline void warnOfEntries(const RawlogSummary& read, const std::string& input)
 {
-    warnOfCount(read.unknown, "entries of unknown classes, left as they are", input);
-    warnOfCount(read.damaged, "damaged entries left out", input);
+    const auto entries = [](std::uint64_t count)
+    { return count == 1 ? std::string("entry") : std::string("entries"); };
+    warnOfCount(read.unknown, entries(read.unknown) + " of unknown classes, left as they are",
+                input);
+    warnOfCount(read.damaged, "damaged " + entries(read.damaged) + " left out", input);
     for (const std::string& problem : read.problems)
         std::fprintf(stderr, "  %s\n", problem.c_str());
     const std::uint64_t more = read.unknown + read.damaged - read.problems.size();

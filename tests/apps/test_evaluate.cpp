@@ -13,6 +13,7 @@ namespace vdamf
 namespace
 {
 using ::testing::HasSubstr;
+using ::testing::Not;
 using Json = nlohmann::json;
 
 void expectPerfect(const Json& m)
@@ -155,6 +156,15 @@ TEST_F(EvaluateAppTest, TheRegionLimitsWhatIsScored)
     EXPECT_EQ(metrics("--max-range-m 12")["scored"]["object_rows"], 5);
     EXPECT_EQ(metrics("--min-points 81")["scored"]["object_rows"], 0);
     EXPECT_EQ(metrics("--min-points 80")["scored"]["object_rows"], 40);
+}
+
+TEST_F(EvaluateAppTest, SaysWhereNothingIsScored)
+{
+    writeTables(unchanged);
+    EXPECT_THAT(evaluate("--min-points 81").output,
+                HasSubstr("truth.csv: nothing is scored: none of its 40 rows is of the classes "
+                          "asked for, has at least 81 hits and lies in the region"));
+    EXPECT_THAT(evaluate("--min-points 80").output, Not(HasSubstr("nothing is scored")));
 }
 
 TEST_F(EvaluateAppTest, ObjectsOfTheClassesAskedForCount)

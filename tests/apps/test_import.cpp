@@ -43,6 +43,14 @@ TEST_F(ImportAppTest, ImportsAndSummarises)
     EXPECT_GT(std::filesystem::file_size(at("o.rawlog")), 500U);
 }
 
+TEST_F(ImportAppTest, QuietItSaysNothing)
+{
+    const Outcome run = import(arguments("--quiet"));
+    EXPECT_EQ(run.exitCode, 0);
+    EXPECT_EQ(run.output, "");
+    EXPECT_EQ(readTruth(at("truth.csv")).size(), 5U);
+}
+
 TEST_F(ImportAppTest, KeepsExistingFilesUnlessTold)
 {
     ASSERT_EQ(import(arguments()).exitCode, 0);

@@ -212,7 +212,7 @@ TEST_F(Report, CountsWhatItCannotReadAsTheTrackerDoes)
     const Outcome odd =
         report("'" + at("odd.rawlog").string() + "' -o '" + at("odd.html").string() + "'");
     EXPECT_EQ(odd.exitCode, 0);
-    EXPECT_THAT(odd.output, AllOf(HasSubstr("odd.rawlog: 1 entries of unknown classes"),
+    EXPECT_THAT(odd.output, AllOf(HasSubstr("odd.rawlog: 1 entry of unknown classes"),
                                   HasSubstr(": unknown class a::Odd")));
 }
 
