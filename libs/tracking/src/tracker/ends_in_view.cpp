@@ -176,6 +176,23 @@ Measurement withoutShadowEdges(const Measurement& measurement, const VehicleStat
     return m;
 }
 
+Measurement withoutUpperFront(const Measurement& measurement, double height,
+                              double forwardProbability)
+{
+    constexpr double kSurely = 0.9;
+    Measurement m = measurement;
+    if (height >= kLowestTruck || !m.facesSeen.seesSide()) return m;
+    for (int end = 0; end < 2; ++end)
+    {
+        const Face face = kFaceAt[0][end];
+        const Face other = kFaceAt[0][1 - end];
+        const bool isOtherTold = !m.hiddenEnds.has(other) && !m.upperEnds.has(other);
+        const bool isRear = face == Face::Back && forwardProbability > kSurely;
+        if (m.upperEnds.has(face) && isOtherTold && !isRear) m.hiddenEnds.add(face);
+    }
+    return m;
+}
+
 Measurement withoutShortUpperEnds(const Measurement& measurement, const OrientedBox& foretold)
 {
     constexpr double kShort = 0.8;  // m

@@ -172,7 +172,8 @@ Track sightedByHits(Track track, const Sighting& sighting, VehicleKalmanFilter& 
 Track startedTrack(std::uint64_t id, const Sighting& sighting, const StartSpeed& speed,
                    const TrackerOptions& options)
 {
-    const Measurement& m = sighting.measurement;
+    constexpr double kNotKnown = 0.5;
+    const Measurement m = withoutUpperFront(sighting.measurement, sighting.height, kNotKnown);
     Track track;
     track.id = id;
     const VehicleState seen =
@@ -220,6 +221,8 @@ Track sightedTrack(Track track, const Sighting& seen, const Neighbourhood& aroun
                        sighting.around.centre());
     else
         m = withoutShortUpperEnds(m, foretold.box());
+    m = withoutUpperFront(m, std::max(track.height, sighting.height),
+                          track.front.forwardProbability());
     m = withoutShadowEdges(m, foretold, sighting.around.centre());
     m = withEndAsForetold(m, sighting, foretold);
     track.measurement = m;
