@@ -80,8 +80,8 @@ PastEnd viewPast(const Eigen::Vector2d& place, const std::vector<double>& slopes
     return height > kCab ? PastEnd::Upper : PastEnd::Open;
 }
 
-// Ends of a car's side near which it has hits on its windows alone: bonnet and boot go on there,
-// and are out of view, as below the lowest rays of a sensor close beside it.
+// Ends of the side of a car or van near which it has hits on its windows alone: bonnet and boot go
+// on there, and are out of view, as below the lowest rays of a sensor close beside it.
 FaceSet windowEnds(const Sighting& sighting, const SegmentedFrame& frame)
 {
     constexpr double kBonnet = 1.0;  // m above the ground, the highest ones
@@ -90,7 +90,7 @@ FaceSet windowEnds(const Sighting& sighting, const SegmentedFrame& frame)
     constexpr double kPast = 0.1;    // ... and past it
     const Measurement& m = sighting.measurement;
     FaceSet ends;
-    const bool isCar = sighting.height > kLowest && sighting.height < kLowestSeenOver;
+    const bool isCar = sighting.height > kLowest && sighting.height < kLowestTruck;
     if (!isCar || frame.planar || !m.facesSeen.seesSide()) return ends;
     const double outwards = m.facesSeen.has(Face::Left) ? 1.0 : -1.0;
     const Eigen::Matrix2d toBox = rotation(m.box.heading).transpose();
@@ -177,7 +177,7 @@ Measurement withoutShadowEdges(const Measurement& measurement, const VehicleStat
 }
 
 Measurement withoutUpperFront(const Measurement& measurement, double height,
-                              double forwardProbability)
+                              double forwardProbability, FaceSet known)
 {
     constexpr double kSurely = 0.9;
     Measurement m = measurement;
@@ -188,7 +188,8 @@ Measurement withoutUpperFront(const Measurement& measurement, double height,
         const Face other = kFaceAt[0][1 - end];
         const bool isOtherTold = !m.hiddenEnds.has(other) && !m.upperEnds.has(other);
         const bool isRear = face == Face::Back && forwardProbability > kSurely;
-        if (m.upperEnds.has(face) && isOtherTold && !isRear) m.hiddenEnds.add(face);
+        if (m.upperEnds.has(face) && (isOtherTold || known.has(other)) && !isRear)
+            m.hiddenEnds.add(face);
     }
     return m;
 }

@@ -23,11 +23,12 @@ Measurement withEndsOutOfView(const Sighting& sighting, const SegmentedFrame& fr
 Measurement withoutShadowEdges(const Measurement& measurement, const VehicleState& foretold,
                                const Eigen::Vector2d& hits);
 
-/// With the upper end of a van hidden where its other end is told, unless it surely is the rear: a
-/// windscreen lies up to 2 m behind the bumper. `height`: of the target, m; `forwardProbability`:
-/// that its front is where the measurement's heading points.
+/// With the upper end of a van hidden where its other end is told, or is one of those `known` to be
+/// where they are foretold, unless it surely is the rear: a windscreen lies up to 2 m behind the
+/// bumper. `height`: of the target, m; `forwardProbability`: that its front is where the
+/// measurement's heading points.
 Measurement withoutUpperFront(const Measurement& measurement, double height,
-                              double forwardProbability);
+                              double forwardProbability, FaceSet known = {});
 
 /// With those of the upper ends hidden that lie well inside of the box foretold: there a cab or a
 /// bonnet goes on.

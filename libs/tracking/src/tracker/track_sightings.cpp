@@ -53,6 +53,17 @@ Track withShownHeading(Track track, const Measurement& m, const Eigen::Vector2d&
     return track;
 }
 
+// The ends of what stands that are where they were seen.
+FaceSet endsKnown(const Track& track, const VehicleState& foretold)
+{
+    constexpr double kKnown = 0.3;  // m
+    FaceSet known;
+    if (!track.stands()) return known;
+    for (int end = 0; end < 2; ++end)
+        if (foretold.faceSigma(0, end) < kKnown) known.add(kFaceAt[0][end]);
+    return known;
+}
+
 // The whole box by a sighting, at the time of its hits; `then`: what was foretold for that time.
 BoxMeasurement boxOf(const Sighting& sighting, const Measurement& m, const Track& track,
                      const VehicleState& then, const VisibilityOptions& options)
@@ -222,7 +233,7 @@ Track sightedTrack(Track track, const Sighting& seen, const Neighbourhood& aroun
     else
         m = withoutShortUpperEnds(m, foretold.box());
     m = withoutUpperFront(m, std::max(track.height, sighting.height),
-                          track.front.forwardProbability());
+                          track.front.forwardProbability(), endsKnown(track, foretold));
     m = withoutShadowEdges(m, foretold, sighting.around.centre());
     m = withEndAsForetold(m, sighting, foretold);
     track.measurement = m;
