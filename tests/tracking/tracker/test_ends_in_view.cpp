@@ -111,7 +111,9 @@ TEST(EndsInView, WindowsEndBeforeTheirCar)
     windows.frame.planar = true;
     EXPECT_EQ(toString(windows.measured().hiddenEnds), "") << "heights are not known";
     const SceneOfPanels van({{20.0, -2.7, 2.7, 1.05, 2.1}});
-    EXPECT_EQ(toString(van.measured().hiddenEnds), "");
+    EXPECT_EQ(toString(van.measured().hiddenEnds), "FB") << "a bonnet may go on there";
+    const SceneOfPanels truck({{20.0, -2.7, 2.7, 1.05, 2.4}});
+    EXPECT_EQ(toString(truck.measured().hiddenEnds), "");
 }
 
 TEST(EndsInView, AVanIsToAMetre)
@@ -165,6 +167,35 @@ TEST(EndsInView, UpperEndsDoNotShortenWhatIsForetold)
     EXPECT_EQ(toString(withoutShortUpperEnds(m, {0.0, 0.0, 0.0, 10.5, 2.5}).hiddenEnds), "");
     m.upperEnds = FaceSet();
     EXPECT_EQ(toString(withoutShortUpperEnds(m, {1.0, 0.0, 0.0, 12.0, 2.5}).hiddenEnds), "");
+}
+
+TEST(EndsInView, AWindscreenIsNoEndOfAVan)
+{
+    constexpr double kVan = 2.0;  // m
+    Measurement m;
+    m.box = {0.0, 0.0, 0.0, 4.0, 2.0};
+    m.facesSeen.add(Face::Left);
+    m.upperEnds.add(Face::Front);
+    const auto hidden = [&](double height, double forwardProbability, FaceSet known = {})
+    { return toString(withoutUpperFront(m, height, forwardProbability, known).hiddenEnds); };
+    EXPECT_EQ(hidden(kVan, 0.99), "F");
+    EXPECT_EQ(hidden(kVan, 0.5), "F");
+    EXPECT_EQ(hidden(3.0, 0.99), "") << "of a truck";
+    m.hiddenEnds.add(Face::Back);
+    EXPECT_EQ(hidden(kVan, 0.99), "B") << "nothing else tells where it is";
+    FaceSet known;
+    known.add(Face::Back);
+    EXPECT_EQ(hidden(kVan, 0.99, known), "FB") << "it is known from before";
+}
+
+TEST(EndsInView, TheRearOfAVanIsUpright)
+{
+    Measurement m;
+    m.box = {0.0, 0.0, 0.0, 5.2, 2.0};
+    m.facesSeen.add(Face::Left);
+    m.upperEnds.add(Face::Back);
+    EXPECT_EQ(toString(withoutUpperFront(m, 2.0, 0.99).hiddenEnds), "");
+    EXPECT_EQ(toString(withoutUpperFront(m, 2.0, 0.5).hiddenEnds), "B") << "it may be the front";
 }
 
 TEST(EndsInView, UpperEndsTurnWithTheBox)
