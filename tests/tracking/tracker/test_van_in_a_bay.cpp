@@ -22,7 +22,8 @@ TEST(VanInABay, ItIsNotAsShortAsItsRoof)
     {
         double squares = 0.0;
         double count = 0.0;
-        for (const Seen& seen : trackedObjects(scenarioOf(kScene, seed)).at("van"))
+        const auto objects = trackedObjects(scenarioOf(kScene, seed));
+        for (const Seen& seen : objects.at("van"))
         {
             if (seen.time < 1.0 || seen.tracks.empty()) continue;
             squares += (seen.tracks.front().box.centre() - seen.truth.box.centre()).squaredNorm();
