@@ -48,17 +48,17 @@ public:
     {
         const LadarMount& mount = scenario_.sensors.front().mount;
         const double begin = scan.time - scenario_.run.startTime;
+        const Sweep sweep = sweepOf(mount.ladar, mount.rate, mount.fieldOfView);
         for (const LadarFiring& firing : scan.firings)
-            add(firing, mount.instantaneous ? begin : firing.time);
+            add(firing, sweep, mount.instantaneous ? begin : firing.time);
     }
 
     const Eigen::AlignedBox2d& of(std::size_t object) const { return bounds_[object]; }
 
 private:
-    void add(const LadarFiring& firing, double time)
+    void add(const LadarFiring& firing, const Sweep& sweep, double time)
     {
         const LadarMount& mount = scenario_.sensors.front().mount;
-        const Sweep sweep = sweepOf(mount.ladar, mount.rate, mount.fieldOfView);
         const Eigen::Isometry3d sensor = sensorAt(scenario_, time);
         for (std::size_t laser = 0; laser < firing.returns.size(); ++laser)
         {

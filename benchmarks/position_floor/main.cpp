@@ -14,6 +14,7 @@
 #include "program.h"
 #include "regression/catalogue.h"
 #include "regression/seeds.h"
+#include "regression/side_by_side.h"
 #include "regression/tables.h"
 #include "vdamf/files/ini.h"
 
@@ -68,20 +69,14 @@ std::vector<vdamf::PositionFloor> floorsOf(const std::vector<vdamf::RegressionSc
                                            unsigned jobs)
 {
     std::vector<vdamf::PositionFloor> floors(runs.size());
-    std::atomic<std::size_t> next{0};
     std::atomic<std::size_t> done{0};
-    const auto work = [&]
-    {
-        for (std::size_t i = next++; i < runs.size(); i = next++)
-        {
-            floors[i] = floorOf(runs[i]);
-            std::fprintf(stderr, "[%zu/%zu] %s\n", ++done, runs.size(), runs[i].name.c_str());
-        }
-    };
-    std::vector<std::thread> others;
-    for (unsigned k = 1; k < jobs; ++k) others.emplace_back(work);
-    work();
-    for (std::thread& thread : others) thread.join();
+    vdamf::sideBySide(runs.size(), jobs,
+                      [&](std::size_t i)
+                      {
+                          floors[i] = floorOf(runs[i]);
+                          std::fprintf(stderr, "[%zu/%zu] %s\n", ++done, runs.size(),
+                                       runs[i].name.c_str());
+                      });
     return floors;
 }
 

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "regression/run.h"
 
-#include <atomic>
 #include <chrono>
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
-#include <thread>
 
+#include "regression/side_by_side.h"
 #include "vdamf/experiments/process.h"
 #include "vdamf/files/folder.h"
 #include "vdamf/files/numbers.h"
@@ -128,21 +127,14 @@ std::vector<RunOutcome> runScenarios(const std::vector<RegressionScenario>& scen
                                      const std::function<void(const RunOutcome&)>& done)
 {
     std::vector<RunOutcome> outcomes(scenarios.size());
-    std::atomic<std::size_t> next{0};
     std::mutex telling;
-    const auto work = [&]
-    {
-        for (std::size_t i = next++; i < scenarios.size(); i = next++)
-        {
-            outcomes[i] = runScenario(scenarios[i], options);
-            const std::lock_guard<std::mutex> one(telling);
-            done(outcomes[i]);
-        }
-    };
-    std::vector<std::thread> others;
-    for (unsigned k = 1; k < options.jobs; ++k) others.emplace_back(work);
-    work();
-    for (std::thread& thread : others) thread.join();
+    sideBySide(scenarios.size(), options.jobs,
+               [&](std::size_t i)
+               {
+                   outcomes[i] = runScenario(scenarios[i], options);
+                   const std::lock_guard<std::mutex> one(telling);
+                   done(outcomes[i]);
+               });
     return outcomes;
 }
 
