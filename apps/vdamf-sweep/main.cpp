@@ -120,6 +120,8 @@ int sweepAll(const CommandLine& line, const vdamf::PreparedSweep& sweep,
     listener.planned = [&](const auto& runs) { progress.planned(runs); };
     listener.finished = [&](const auto& one, const std::string& failure)
     { progress.finished(one, failure); };
+    listener.impossible = [&](const std::string& why)
+    { progress.tell(why + "; it counts as worse than the worst"); };
     const vdamf::SweepResults results = vdamf::runSweep(
         sweep, program, line.folder, engineOf(line, sweep, progress), interrupted, listener);
     if (interrupted) return interruptedExit(progress, line.folder);

@@ -212,6 +212,24 @@ TEST_F(SweepProgram, SearchesAndDraws)
     EXPECT_EQ(runsIn("drawn"), 3U);
 }
 
+TEST_F(SweepProgram, SearchGoesRoundValuesThatAreNotAllowedTogether)
+{
+    // No gap may be above max_gap_m, which is 0.8.
+    writeSweep("plan = optimise\ncount = 4", "clustering.gap_m = 0.3 : 1.5");
+    const Outcome search = sweep("search");
+    EXPECT_EQ(search.exitCode, 0) << search.output;
+    EXPECT_THAT(search.output,
+                HasSubstr("setting clustering.gap_m = 0.9:\nbuilt-in configuration: "
+                          "clustering.gap_m = 0.9 must not be above clustering.max_gap_m = 0.8; it "
+                          "counts as worse than the worst\n"));
+    EXPECT_GE(runsIn("search"), 1U);
+    EXPECT_TRUE(fs::exists(at("search/best.ini")));
+    writeSweep("plan = optimise\ncount = 3", "clustering.gap_m = 0.81 : 1.5");
+    const Outcome none = sweep("none");
+    EXPECT_EQ(none.exitCode, 1);
+    EXPECT_THAT(none.output, HasSubstr("no setting whose values are allowed together"));
+}
+
 TEST_F(SweepProgram, BadUse)
 {
     writeSweep("", "measurement.sigma = 0.1, 0.2");

@@ -154,6 +154,25 @@ TEST_F(PrepareSweep, GroupsHaveTruthScoringAndKeysOfTheirOwn)
     EXPECT_THAT(problemOf(sweepFile("", "scan.deskew = true, false",
                                     std::string(kRecordings) + "\nset = scan.label")),
                 HasSubstr("[recordings] set: expected section.key=value, found 'scan.label'"));
+    EXPECT_THAT(problemOf(sweepFile(
+                    "", "scan.deskew = true, false",
+                    std::string(kRecordings) + "\nset = scan.label=front, scan.label = back")),
+                HasSubstr("sweep.ini:9: [recordings] set: scan.label stands there twice"));
+}
+
+TEST_F(PrepareSweep, FilesOfASetAreBesideTheSweepWhateverTheBlanks)
+{
+    make("beside.txt", contentOf(VDAMF_SOURCE_DIR "/models/vehicle.txt"));
+    for (const std::string set :
+         {"discriminator.model=beside.txt", " discriminator.model = beside.txt "})
+    {
+        const PreparedSweep sweep = prepareSweep(sweepFile(
+            "", "scan.deskew = true, false", std::string(kRecordings) + "\nset = " + set));
+        EXPECT_THAT(
+            configurationOf(sweep.file, sweep.base, sweep.file.groups[0], sweep.settings[0]),
+            HasSubstr("model = " + at("beside.txt").string() + "\n"))
+            << set;
+    }
 }
 
 TEST_F(PrepareSweep, NamesStandInCellsOfTheTable)

@@ -2,9 +2,12 @@
 #include "vdamf/experiments/setting_configuration.h"
 
 #include <algorithm>
+#include <set>
 #include <stdexcept>
+#include <string_view>
 
 #include "split.h"
+#include "vdamf/files/numbers.h"
 #include "vdamf/files/text_file.h"
 #include "vdamf/rawlog/configuration.h"
 
@@ -15,12 +18,20 @@ namespace
 // How the strict reader names what came by IniDocument::set().
 constexpr std::string_view kSetMark = "--set: ";
 
+// The same of what concerns several keys, of which others are from a file.
+constexpr std::string_view kSetAmongOthersMark = "--set, ";
+
 // Nothing came from a command line here.
 std::string withoutSetMark(const std::string& message)
 {
     std::string all;
     for (const std::string& line : split(message, '\n'))
-        all += "\n" + (line.rfind(kSetMark, 0) == 0 ? line.substr(kSetMark.size()) : line);
+    {
+        std::size_t mark = 0;
+        for (const std::string_view one : {kSetMark, kSetAmongOthersMark})
+            if (line.rfind(one, 0) == 0) mark = one.size();
+        all += "\n" + line.substr(mark);
+    }
     return all;
 }
 
@@ -112,13 +123,13 @@ std::string problemsOfSweptKey(const SweepFile& file, const IniDocument& base, c
 
 std::string nameOf(const std::string& assignment)
 {
-    return split(assignment, '=').front();
+    return std::string(trimmed(split(assignment, '=').front()));
 }
 
 std::string valueOf(const std::string& assignment)
 {
     const std::size_t equals = assignment.find('=');
-    return equals == std::string::npos ? "" : assignment.substr(equals + 1);
+    return equals == std::string::npos ? "" : std::string(trimmed(assignment.substr(equals + 1)));
 }
 
 std::vector<std::string> assignmentsOf(const RecordingGroup& group)
@@ -133,6 +144,7 @@ std::string problemsOfGroup(const SweepFile& file, const IniDocument& base,
     const std::string where = file.path.string() + ":" + std::to_string(group.setLine) +
                               ": [recordings" + (group.name.empty() ? "" : " " + group.name) +
                               "] set: ";
+    std::set<std::string> names;
     for (const std::string& set : assignmentsOf(group))
     {
         if (set.find('=') == std::string::npos)
@@ -140,6 +152,8 @@ std::string problemsOfGroup(const SweepFile& file, const IniDocument& base,
             problems += where + "expected section.key=value, found " + inQuotes(set) + "\n";
             continue;
         }
+        if (!names.insert(nameOf(set)).second)
+            problems += where + nameOf(set) + " stands there twice; remove one\n";
         for (const SweptKey& key : file.keys)
             if (nameOf(set) == key.name)
                 problems += where + key.name + " is varied as well; remove one\n";

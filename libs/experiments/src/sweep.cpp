@@ -115,10 +115,32 @@ struct Stopped
 {
 };
 
-void search(const PreparedSweep& sweep, Runner& runner, const std::atomic<bool>& stop)
+// Why the values of a setting are not allowed together; empty: they are.
+std::string problemOf(const PreparedSweep& sweep, const SweepSetting& setting)
 {
-    const auto score = [&](const SweepSetting& setting)
+    try
     {
+        for (const RecordingGroup& group : sweep.file.groups)
+            configurationOf(sweep.file, sweep.base, group, setting);
+    }
+    catch (const std::runtime_error& error)
+    {
+        return error.what();
+    }
+    return "";
+}
+
+void search(const PreparedSweep& sweep, Runner& runner, const std::atomic<bool>& stop,
+            const SweepListener& listener)
+{
+    const auto score = [&](const SweepSetting& setting) -> std::optional<double>
+    {
+        const std::string problem = problemOf(sweep, setting);
+        if (!problem.empty())
+        {
+            listener.impossible(problem);
+            return std::nullopt;
+        }
         runner.run({setting});
         if (stop) throw Stopped();
         return latestScore(runner.results());
@@ -132,6 +154,10 @@ void search(const PreparedSweep& sweep, Runner& runner, const std::atomic<bool>&
     {
         return;  // the caller knows
     }
+    if (runner.results().settings.empty())
+        throw std::runtime_error(
+            sweep.file.path.string() +
+            ": the search came to no setting whose values are allowed together");
 }
 
 // Those that no setting knows the goal's metric of are in no mean.
@@ -184,7 +210,7 @@ SweepResults runSweep(const PreparedSweep& sweep, const SweepProgram& program,
 {
     Runner runner(sweep, program, folder, engine, stop, listener);
     if (sweep.file.sweep.plan == PlanKind::Optimise)
-        search(sweep, runner, stop);
+        search(sweep, runner, stop, listener);
     else
         runner.run(sweep.settings);
     return runner.results();

@@ -5,6 +5,7 @@
 
 #include <atomic>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -59,6 +60,8 @@ struct SweepListener
     /// Once for each part of the plan: how many of its runs are done already, and are not.
     std::function<void(const std::vector<PlannedRun>&)> planned;
     std::function<void(const PlannedRun&, const std::string& failure)> finished;
+    /// A search came to a setting whose values are not allowed together: it has no runs.
+    std::function<void(const std::string& why)> impossible;
 };
 
 /// Carries the sweep out. Folders below `folder`: `runs/<run>`, whole results; `tasks/<run>`, those
