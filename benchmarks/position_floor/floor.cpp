@@ -101,19 +101,13 @@ double leastSquaredOffset(const Eigen::AlignedBox2d& hits, const BodySize& size,
         .squaredNorm();
 }
 
-PositionFloor positionFloor(const Scenario& scenario, const Scenario& usual)
+SeenBoxes seenBoxes(const Scenario& scenario)
 {
     const std::vector<SceneObject>& objects = scenario.scene.objects;
     std::unordered_map<std::string, std::size_t> indexOf;
     for (std::size_t i = 0; i < objects.size(); ++i) indexOf[objects[i].name] = i;
     HitsSoFar hits(scenario);
-    const auto squareOf = [&](std::size_t object)
-    {
-        return leastSquaredOffset(hits.of(object), objects[object].size,
-                                  usual.scene.objects[object].size);
-    };
-    double online = 0.0;
-    std::vector<std::size_t> counted;
+    SeenBoxes seen;
     for (int k = 0; k < scenario.frames(); ++k)
     {
         const SimulatedFrame frame = simulateFrame(scenario, k);
@@ -122,14 +116,39 @@ PositionFloor positionFloor(const Scenario& scenario, const Scenario& usual)
         for (const TruthRow& row : frame.truth)
         {
             const std::size_t object = indexOf.at(row.objectId);
-            if (!isVehicle(objects[object].objectClass) || !isCounted(row)) continue;
-            counted.push_back(object);
-            online += squareOf(object);
+            if (isVehicle(objects[object].objectClass) && isCounted(row))
+                seen.boxes.push_back({object, hits.of(object)});
         }
     }
+    for (std::size_t i = 0; i < objects.size(); ++i) seen.inAll.push_back(hits.of(i));
+    return seen;
+}
+
+PositionFloor positionFloor(const SeenBoxes& seen, const Scenario& scenario, const Scenario& usual)
+{
+    const auto squareOf = [&](std::size_t object, const Eigen::AlignedBox2d& hits)
+    {
+        return leastSquaredOffset(hits, scenario.scene.objects[object].size,
+                                  usual.scene.objects[object].size);
+    };
+    double online = 0.0;
     double hindsight = 0.0;
-    for (const std::size_t object : counted) hindsight += squareOf(object);
-    return {counted.size(), rms(online, counted.size()), rms(hindsight, counted.size())};
+    for (const SeenBox& box : seen.boxes)
+    {
+        online += squareOf(box.object, box.hits);
+        hindsight += squareOf(box.object, seen.inAll[box.object]);
+    }
+    return {seen.boxes.size(), rms(online, seen.boxes.size()), rms(hindsight, seen.boxes.size())};
+}
+
+Scenario withHeaviesAlike(Scenario usual)
+{
+    const double length =
+        0.5 * (typicalSize(ObjectClass::Truck).length + typicalSize(ObjectClass::Bus).length);
+    for (SceneObject& object : usual.scene.objects)
+        if (object.objectClass == ObjectClass::Truck || object.objectClass == ObjectClass::Bus)
+            object.size.length = length;
+    return usual;
 }
 
 }  // namespace vdamf

@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <cstddef>
+#include <vector>
 
 #include "vdamf/simulation/scenario.h"
 
@@ -17,7 +18,24 @@ namespace vdamf
 double leastSquaredOffset(const Eigen::AlignedBox2d& hits, const BodySize& size,
                           const BodySize& usual);
 
-/// RMS over the vehicles' boxes with 20 hits and more up to 60 m from the sensor, m.
+/// What has hit a vehicle so far when its box counts: with 20 hits and more, up to 60 m from the
+/// sensor.
+struct SeenBox
+{
+    std::size_t object = 0;    ///< of the scene
+    Eigen::AlignedBox2d hits;  ///< in its own frame, m
+};
+
+/// What a scenario's first sensor shows.
+struct SeenBoxes
+{
+    std::vector<SeenBox> boxes;              ///< frame by frame
+    std::vector<Eigen::AlignedBox2d> inAll;  ///< by object, what hit it in the whole run
+};
+
+SeenBoxes seenBoxes(const Scenario& scenario);
+
+/// RMS over those boxes, m; without any 0.
 struct PositionFloor
 {
     std::size_t boxes = 0;
@@ -25,8 +43,11 @@ struct PositionFloor
     double hindsight = 0.0;  ///< by those of the whole run
 };
 
-/// Of a scenario's first sensor. `usual` is the same scenario with vehicles of usual sizes. Without
-/// boxes 0.
-PositionFloor positionFloor(const Scenario& scenario, const Scenario& usual);
+/// `usual` is the same scenario with vehicles of usual sizes.
+PositionFloor positionFloor(const SeenBoxes& seen, const Scenario& scenario, const Scenario& usual);
+
+/// The scenario as it is usual to one who takes trucks and buses for the same: all of them are as
+/// long as the mean of a usual truck and a usual bus.
+Scenario withHeaviesAlike(Scenario usual);
 
 }  // namespace vdamf

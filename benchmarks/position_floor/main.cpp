@@ -48,14 +48,25 @@ void declare(CLI::App& app, Cli& cli)
         ->check(CLI::Range(1, 1024));
 }
 
-vdamf::PositionFloor floorOf(const vdamf::RegressionScenario& run)
+// One who knows the class of each vehicle, and one who takes trucks and buses for the same.
+struct Floors
+{
+    vdamf::PositionFloor known;
+    vdamf::PositionFloor alike;
+};
+
+Floors floorsOf(const vdamf::RegressionScenario& run)
 {
     const std::vector<std::string>& arguments = run.make;  // of vdamf-simulate
     const vdamf::IniDocument usual = vdamf::IniDocument::load(arguments[1]);
     vdamf::IniDocument varied = usual;
     for (std::size_t i = 2; i + 1 < arguments.size(); ++i)
         if (arguments[i] == "--set") varied.set(arguments[i + 1]);
-    return vdamf::positionFloor(vdamf::readScenario(varied), vdamf::readScenario(usual));
+    const vdamf::Scenario scenario = vdamf::readScenario(varied);
+    const vdamf::Scenario ofUsual = vdamf::readScenario(usual);
+    const vdamf::SeenBoxes seen = vdamf::seenBoxes(scenario);
+    return {vdamf::positionFloor(seen, scenario, ofUsual),
+            vdamf::positionFloor(seen, scenario, vdamf::withHeaviesAlike(ofUsual))};
 }
 
 vdamf::RegressionRow rowOf(const std::string& run, double position)
@@ -65,15 +76,14 @@ vdamf::RegressionRow rowOf(const std::string& run, double position)
     return row;
 }
 
-std::vector<vdamf::PositionFloor> floorsOf(const std::vector<vdamf::RegressionScenario>& runs,
-                                           unsigned jobs)
+std::vector<Floors> floorsOf(const std::vector<vdamf::RegressionScenario>& runs, unsigned jobs)
 {
-    std::vector<vdamf::PositionFloor> floors(runs.size());
+    std::vector<Floors> floors(runs.size());
     std::atomic<std::size_t> done{0};
     vdamf::sideBySide(runs.size(), jobs,
                       [&](std::size_t i)
                       {
-                          floors[i] = floorOf(runs[i]);
+                          floors[i] = floorsOf(runs[i]);
                           std::fprintf(stderr, "[%zu/%zu] %s\n", ++done, runs.size(),
                                        runs[i].name.c_str());
                       });
@@ -83,13 +93,14 @@ std::vector<vdamf::PositionFloor> floorsOf(const std::vector<vdamf::RegressionSc
 int run(const std::vector<vdamf::RegressionScenario>& runs,
         const std::vector<vdamf::RegressionRow>& tracked, const Cli& cli)
 {
-    const std::vector<vdamf::PositionFloor> floors = floorsOf(runs, cli.jobs);
+    const std::vector<Floors> floors = floorsOf(runs, cli.jobs);
     vdamf::FloorRows rows;
     for (std::size_t i = 0; i < runs.size(); ++i)
     {
-        if (floors[i].boxes == 0) continue;
-        rows.online.push_back(rowOf(runs[i].name, floors[i].online));
-        rows.hindsight.push_back(rowOf(runs[i].name, floors[i].hindsight));
+        if (floors[i].known.boxes == 0) continue;
+        rows.online.push_back(rowOf(runs[i].name, floors[i].known.online));
+        rows.alike.push_back(rowOf(runs[i].name, floors[i].alike.online));
+        rows.hindsight.push_back(rowOf(runs[i].name, floors[i].known.hindsight));
     }
     std::printf("%s", vdamf::floorTable(rows, tracked, cli.limit).c_str());
     return vdamf::kDone;

@@ -42,8 +42,8 @@ public:
     {
         const std::string above = cell("> %.2f", limit);
         std::array<char, 128> heading{};
-        std::snprintf(heading.data(), heading.size(), "%-24s%6s%9s%8s%11s", "", "runs", "floor",
-                      above.c_str(), "hindsight");
+        std::snprintf(heading.data(), heading.size(), "%-24s%6s%11s%9s%8s%9s%8s", "", "runs",
+                      "hindsight", "floor", above.c_str(), "alike", above.c_str());
         text_ = heading.data();
         if (!tracked.empty())
         {
@@ -58,8 +58,10 @@ public:
         const std::vector<RegressionRow>& runs = group.second;
         std::array<char, 64> begin{};
         std::snprintf(begin.data(), begin.size(), "%-24.24s%6zu", group.first.c_str(), runs.size());
-        text_ += begin.data() + cells(positionsOf(runs), limit_) +
-                 cell("%11.3f", rmsOf(positionsOf(sameRuns(runs, floor_.hindsight))));
+        text_ += begin.data() +
+                 cell("%11.3f", rmsOf(positionsOf(sameRuns(runs, floor_.hindsight)))) +
+                 cells(positionsOf(runs), limit_) +
+                 cells(positionsOf(sameRuns(runs, floor_.alike)), limit_);
         if (!tracked_.empty())
         {
             const std::vector<double> values = positionsOf(sameRuns(runs, tracked_));
@@ -85,7 +87,10 @@ std::string floorTable(const FloorRows& floor, const std::vector<RegressionRow>&
     const std::vector<RegressionGroup> groups = byScenario(floor.online);
     for (const RegressionGroup& group : groups) table.add(group);
     if (groups.size() > 1) table.add({"all", floor.online});
-    return "RMS of positions, m, of who knows all but how large each vehicle is\n" + table.text();
+    return "RMS of positions, m, of who knows all but how large each vehicle is; alike: and takes "
+           "trucks\n"
+           "and buses for the same\n" +
+           table.text();
 }
 
 }  // namespace vdamf

@@ -13,12 +13,14 @@ namespace vdamf
 struct FloorRows
 {
     std::vector<RegressionRow> online;
+    std::vector<RegressionRow> alike;  ///< of who takes trucks and buses for the same
     std::vector<RegressionRow> hindsight;
 };
 
-/// For a terminal: of each scenario and of all runs the RMS over runs, online and in hindsight, and
-/// in how many of them that online is above `limit` (m); then the same of the tracker where
-/// `tracked`, a table of any runs, has them all ("-": it has not). Empty: no such columns.
+/// For a terminal: of each scenario and of all runs the RMS over runs, in hindsight, online, and of
+/// who takes trucks and buses for the same, and in how many runs these are above `limit` (m); then
+/// the same of the tracker where `tracked`, a table of any runs, has them all ("-": it has not).
+/// Empty: no such columns.
 std::string floorTable(const FloorRows& floor, const std::vector<RegressionRow>& tracked,
                        double limit);
 

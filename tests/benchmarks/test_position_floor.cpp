@@ -57,17 +57,36 @@ Scenario passed(double length)
 
 TEST(PositionFloor, WhatIsPassedIsKnownInHindsight)
 {
-    const PositionFloor floor = positionFloor(passed(5.1), passed(4.5));
+    const PositionFloor floor = positionFloor(seenBoxes(passed(5.1)), passed(5.1), passed(4.5));
     EXPECT_GT(floor.boxes, 20U);
     EXPECT_GT(floor.online, 0.1) << "0.3 m until its front shows";
     EXPECT_LT(floor.online, 0.3);
     EXPECT_EQ(floor.hindsight, 0.0);
-    EXPECT_EQ(positionFloor(passed(4.5), passed(4.5)).online, 0.0) << "of usual length";
+    EXPECT_EQ(positionFloor(seenBoxes(passed(4.5)), passed(4.5), passed(4.5)).online, 0.0)
+        << "of usual length";
+}
+
+TEST(PositionFloor, WhoTakesTrucksAndBusesForTheSameErrsByAQuarterOfWhatTheirLengthsDiffer)
+{
+    Scenario scenario = passed(4.5);
+    SceneObject& object = scenario.scene.objects.front();
+    object.objectClass = ObjectClass::Bus;
+    object.size = typicalSize(ObjectClass::Bus);
+    SeenBoxes rearAlone;
+    rearAlone.boxes = {{0, hits(-6.0, -5.8, -1.2, 1.2)}};
+    rearAlone.inAll = {hits(-6.0, 6.0, -1.2, 1.2)};
+    EXPECT_EQ(positionFloor(rearAlone, scenario, scenario).online, 0.0);
+    const PositionFloor alike = positionFloor(rearAlone, scenario, withHeaviesAlike(scenario));
+    EXPECT_NEAR(alike.online, 0.25 * (12.0 - 9.0), 1e-12);
+    EXPECT_EQ(alike.hindsight, 0.0);
+    EXPECT_EQ(withHeaviesAlike(passed(5.1)).scene.objects.front().size.length, 5.1) << "a car";
 }
 
 TEST(PositionFloor, TellsInHowManyRunsTheTrackerHadNoChance)
 {
     const FloorRows floor{{regressionRow("turn/seed_1", 0.1), regressionRow("turn/seed_2", 0.2),
+                           regressionRow("stop/seed_1", 0.05)},
+                          {regressionRow("turn/seed_1", 0.3), regressionRow("turn/seed_2", 0.3),
                            regressionRow("stop/seed_1", 0.05)},
                           {regressionRow("turn/seed_1", 0.0), regressionRow("turn/seed_2", 0.0),
                            regressionRow("stop/seed_1", 0.0)}};
@@ -75,11 +94,11 @@ TEST(PositionFloor, TellsInHowManyRunsTheTrackerHadNoChance)
                                              regressionRow("turn/seed_1", 0.13)};
     const std::string table = floorTable(floor, tracked, 0.12);
     EXPECT_THAT(table,
-                HasSubstr("turn                         2    0.158       1      0.000    0.231"
-                          "       2\n"));
+                HasSubstr("turn                         2      0.000    0.158       1    0.300"
+                          "       2    0.231       2\n"));
     EXPECT_THAT(table,
-                HasSubstr("stop                         1    0.050       0      0.000        -"
-                          "       -\n"))
+                HasSubstr("stop                         1      0.000    0.050       0    0.050"
+                          "       0        -       -\n"))
         << "of which the tracker's table has none";
     EXPECT_THAT(table, HasSubstr("all                          3"));
     EXPECT_THAT(floorTable(floor, {}, 0.12), Not(HasSubstr("tracker")));
