@@ -186,7 +186,7 @@ TEST(Discriminate, TakesWhatItDoesNotLookAtToSayTheSame)
     EXPECT_NEAR(track.judgement.evidence.frames, evidence.frames, 1e-9);
 }
 // The rear of a bus, flat as a wall, that drives 8 m/s.
-Track rearOfABus()
+Track rearOfABus(double interval = 0.1)
 {
     Track track = carAlong(7);
     track.sightings = 20;
@@ -194,7 +194,8 @@ Track rearOfABus()
     track.around = {0.0, 0.0, 0.0, 0.2, 2.4};
     track.state.mean(kSpeed) = 8.0;
     track.state.covariance(kSpeed, kSpeed) = 0.01;
-    for (int k = 0; k < 15; ++k) track.path.push_back({0.1 * k, {0.8 * k, 0.0, 0.0, 9.0, 2.5}, {}});
+    for (int k = 0; interval * k < 1.45; ++k)
+        track.path.push_back({interval * k, {8.0 * interval * k, 0.0, 0.0, 9.0, 2.5}, {}});
     return track;
 }
 
@@ -204,6 +205,7 @@ TEST(Discriminate, WhatDrivesAsVehiclesDoIsOneWhateverItLooksLike)
     const Track bus = seen(rearOfABus(), discriminator, 100);
     EXPECT_TRUE(bus.judgement.hasDriven);
     EXPECT_FALSE(discriminator.rulesOut(bus));
+    EXPECT_TRUE(seen(rearOfABus(0.35), discriminator, 100).judgement.hasDriven) << "3 frames/s";
     // And still is when it stops.
     Track stopped = bus;
     stopped.state.mean(kSpeed) = 0.0;

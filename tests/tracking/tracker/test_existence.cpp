@@ -150,6 +150,7 @@ TEST(Existence, HitsMakeATrackLastLonger)
     {
         Track track = trackAhead(0.1);
         track.existence = 0.5;
+        track.interval = 0.1;
         for (int k = 0; k < hits; ++k) track = withHit(track, 0.0, {});
         EXPECT_LE(track.existence, 0.99);
         for (int k = 1; track.status != TrackStatus::Ended && k < 100; ++k)
@@ -176,6 +177,25 @@ TEST(Existence, TracksLastAsLongHoweverFastFramesFollow)
     EXPECT_NEAR(lasts(0.05), lasts(0.1), 0.06);
     // Slower ones each see anew.
     EXPECT_NEAR(lasts(0.2), 2.0 * lasts(0.1), 1e-9);
+}
+
+TEST(Existence, WhatIsHitInEveryOtherFrameAloneEndsHoweverFastFramesFollow)
+{
+    const RangeProfile open = profileWith(0.0, kFar);
+    for (const double interval : {0.2, 0.1, 0.05, 0.02})
+    {
+        Track track = trackAhead(0.1);
+        track.interval = interval;
+        for (int k = 1; k < 400 && track.status != TrackStatus::Ended; k += 2)
+        {
+            const double time = interval * k;
+            track = withHit(track, time, {});
+            track = withMiss(
+                track, {time + interval, {0.0, 0.0}, open, FieldOfView(groundAround()), interval},
+                Unseen(), {});
+        }
+        EXPECT_EQ(track.status, TrackStatus::Ended) << interval;
+    }
 }
 
 TEST(Existence, VehiclesOfFewHitsAreMissedForLonger)

@@ -34,6 +34,7 @@ SegmentedFrame hedgeAt(const Eigen::Vector2d& middle, double length)
 Track hedge()
 {
     Track track;
+    track.interval = 0.1;
     track.state.mean << 12.0, 5.0, 0.0, 0.0, 0.0, 1.0, 4.5;
     track.state.width = 1.8;
     track.around = {-0.5, 0.3, 0.0, 3.0, 0.8};

@@ -152,6 +152,44 @@ TEST(Headings, TheEdgeOfAShadowTurnsNothing)
     }
 }
 
+// Of a vehicle that is held across, as what is seen of it may be either face, its way tells more.
+TEST(Headings, AVehicleOfKnownCourseDoesNotStandWhenItIsTurnedByAQuarter)
+{
+    constexpr double kFast = 10.0;  // m/s
+    const auto corner = [&](double time)
+    {
+        Sighting s;
+        s.time = time;
+        s.measurement.box = {15.0, -20.0 + kFast * time, 0.0, 2.0, 2.0};
+        s.measurement.covariance =
+            (Vector5d() << 1e-3, 1e-3, 1e-5, 1e-3, 1e-3).finished().asDiagonal();
+        s.measurement.facesSeen.add(Face::Back);
+        s.measurement.facesSeen.add(Face::Left);
+        s.measurement.hiddenEnds.add(Face::Front);
+        s.measurement.hiddenEnds.add(Face::Right);
+        s.measurement.hits = 50;
+        s.measurement.match = 0.5;
+        s.around = s.measurement.box;
+        s.height = 1.5;
+        s.side = s.end = {2.0, 25.0};
+        return s;
+    };
+    const TrackerOptions options;
+    VehicleKalmanFilter filter(options.motion);
+    Track track = startedTrack(1, corner(0.0), {0.0, options.lifecycle.startSpeedSigma}, options);
+    bool isTurned = false;
+    for (int k = 1; k <= 30 && !isTurned; ++k)
+    {
+        track = predictedTrack(std::move(track), 0.1, {0.0, 0.0}, filter, options.motion);
+        track = sightedTrack(std::move(track), corner(0.1 * k), Neighbourhood(), filter, options);
+        isTurned = track.startedAt == track.sightings;
+    }
+    ASSERT_TRUE(isTurned);
+    EXPECT_NEAR(track.state.mean(kHeading), 0.5 * kPi, 0.1);
+    EXPECT_LT(track.hypotheses->standingProbability, 0.01);
+    EXPECT_NEAR(track.hypotheses->combined(options.motion).mean(kSpeed), kFast, 1.0);
+}
+
 TEST(Headings, WideEndsOfCarsAreNoSides)
 {
     EXPECT_LT(worstHeading({{20.0, 0.5, 0.0, 4.6, 2.2}}, 20, 5, kPi), 10.0);

@@ -71,6 +71,11 @@ TEST(LastGlimpse, TellsThatAParkedCarIsThereAndNotWhere)
     EXPECT_EQ(after.misses, 0);
     EXPECT_EQ(after.lastSeen, 2.1);
     EXPECT_FALSE(after.nis.has_value());
+    EXPECT_FALSE(after.measurement.has_value());
+    EXPECT_EQ(after.hits, 6);
+    ASSERT_TRUE(after.shownHeading && track.shownHeading);
+    EXPECT_EQ(after.shownHeading->heading, track.shownHeading->heading);
+    EXPECT_EQ(after.shownHeading->variance, track.shownHeading->variance);
 }
 
 TEST(LastGlimpse, IsASightingLikeOthersWhereTheLengthWasNeverSeen)

@@ -45,6 +45,19 @@ TEST(ShownHeading, EachViewCountsOnce)
     EXPECT_GT(afterSomeViews(same, 0.1, 1e-4, 50).variance, std::pow(0.15 * kOneDegree, 2));
 }
 
+TEST(ShownHeading, AViewIsTheSameOneWhenTheAxesAreTurned)
+{
+    const double sigma = 2.0 * kOneDegree;
+    const View view{0.3, 12.0};
+    const ShownHeading shown = ShownHeading().after(shownAt(0.1, sigma), view);
+    for (const int quarters : {1, 2, 3})
+    {
+        const View same{wrapAngle(view.bearing - 0.5 * kPi * quarters), view.range};
+        const ShownHeading after = turned(shown, quarters).after(shownAt(0.1, sigma), same);
+        EXPECT_GT(after.variance, 0.95 * shown.variance) << quarters;
+    }
+}
+
 TEST(ShownHeading, HoldsWhereItIsSeenInPart)
 {
     ShownHeading shown = afterSomeViews(ShownHeading(), 0.2, 0.4 * kOneDegree, 4);

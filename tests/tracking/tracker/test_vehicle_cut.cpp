@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "tracking/association/predicted_car.h"
+#include "types/append_hit.h"
 #include "vdamf/tracking/discrimination/model.h"
 
 namespace vdamf
@@ -105,6 +106,21 @@ TEST(VehicleCut, ACarKeepsItsHitsBesideKnownClutter)
     EXPECT_EQ(cut.isVehicle, (std::vector<bool>{false, true}));
     EXPECT_EQ(cut.clusters[1].size(), 120U);
     EXPECT_EQ(cut.clusters[0].size() + cut.clusters[1].size(), 240U);
+}
+
+TEST(VehicleCut, HitsOfTheRestThatAreInNoClusterAnyMoreAreLoose)
+{
+    SegmentedFrame frame = carAtABush();
+    Cluster ahead;
+    addWall(ahead, {3.2F, 4.0F}, {3.2F, 4.0F}, 2);
+    for (const std::size_t i : {0U, 1U}) appendHit(frame.clusters[0], ahead, i);
+    const TrackerOptions options;
+    const SegmentedFrame cut =
+        withVehiclesCutOut(std::move(frame), {sureCar(), bush(-5.0)}, std::vector<Track>(2),
+                           Neighbourhood(), Discriminator(options.discriminator), options);
+    ASSERT_EQ(cut.clusters.size(), 2U);
+    EXPECT_EQ(cut.clusters[0].size() + cut.clusters[1].size(), 240U);
+    EXPECT_EQ(cut.loose.size(), 2U);
 }
 
 TEST(VehicleCut, ACarThatDrivesKeepsItsHitsWhereverItPasses)

@@ -20,11 +20,12 @@ bool drives(const Track& track)
     constexpr double kWidest = 3.5;    // m
     constexpr double kLowest = 2.0;    // m: the shape of what is lower tells enough
     constexpr double kFar = 6.0;       // m, in the last seconds
-    constexpr std::size_t kLong = 12;  // sightings
+    constexpr std::size_t kSome = 4;   // sightings
+    constexpr double kLong = 1.05;     // s
     constexpr double kFast = 2.0;      // m/s, for sure
     constexpr double kSigmas = 3.0;
     constexpr double kUneven = 0.2;  // of the way
-    if (track.stood() || track.path.size() < kLong || track.height < kLowest ||
+    if (track.stood() || track.path.size() < kSome || track.height < kLowest ||
         track.around.width < kThinnest || track.around.width > kWidest)
         return false;
     const double speed = std::abs(track.state.mean(kSpeed));
@@ -34,6 +35,7 @@ bool drives(const Track& track)
     const PathPoint& last = track.path.back();
     const Eigen::Vector2d way = last.box.centre() - first.box.centre();
     const double time = last.time - first.time;
+    if (time < kLong) return false;
     const Eigen::Vector2d evenly =
         first.box.centre() + (middle.time - first.time) / time * way - middle.box.centre();
     return way.norm() > kFar && evenly.norm() < kUneven * way.norm() &&

@@ -153,6 +153,13 @@ double shareSeenThrough(const OrientedBox& box, const OpenView& view)
     return static_cast<double>(through) / kRays;
 }
 
+// Of a frame, `dt` seconds after the one before: those that follow each other fast see the same.
+double newsOf(double dt)
+{
+    constexpr double kNews = 0.1;  // s
+    return std::min(1.0, dt / kNews);
+}
+
 // One sigma along the longer axis of the ellipse.
 Eigen::Vector2d longestSigma(const Eigen::Matrix2d& covariance)
 {
@@ -180,12 +187,12 @@ double shareSeenThrough(const Track& track, const OpenView& view)
 
 Track withHit(Track track, double time, const LifecycleOptions& options)
 {
+    const double hit = std::max(1.0, options.hitProbability / kFalseHits);
+    const double odds = oddsOf(track.existence) * std::pow(hit, newsOf(track.interval));
+    track.existence = std::min(kSurest, probabilityOf(odds));
     ++track.sightings;
     track.misses = 0;
     track.lastSeen = time;
-    const double odds =
-        oddsOf(track.existence) * std::max(1.0, options.hitProbability / kFalseHits);
-    track.existence = std::min(kSurest, probabilityOf(odds));
     return track;
 }
 
@@ -214,10 +221,8 @@ Track withMiss(Track track, const OpenView& view, const Unseen& unseen,
     double inView = 1.0;
     if (isWaitedFor) inView = unseen.showsHits ? 0.0 : shareSeenThrough(track, view);
     const double missed = 1.0 - hitProbability(track, options) * inView;
-    // Frames that follow each other fast see the same.
-    constexpr double kNews = 0.1;  // s
-    track.existence = probabilityOf(oddsOf(track.existence) *
-                                    std::pow(missed, std::min(1.0, view.interval / kNews)));
+    track.existence =
+        probabilityOf(oddsOf(track.existence) * std::pow(missed, newsOf(view.interval)));
     const double variance = 0.5 * track.state.covariance.topLeftCorner<2, 2>().trace();
     const bool isLost = track.existence < options.endProbability ||
                         view.time - track.lastSeen > options.maxCoast ||

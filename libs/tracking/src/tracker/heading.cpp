@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "estimation/rest.h"
 #include "tracker/front_by_axle.h"
 #include "tracker/neighbourhood.h"
 #include "tracker/steady_course.h"
@@ -128,7 +129,10 @@ Track quarterTurned(const Track& track, const Sighting& sighting, int quarters,
     next.assumedLength = fresh.assumedLength;
     *next.hypotheses = hypothesesFrom(next.state, options.motion);
     next.startedAt = track.sightings;
-    if (!course) next.status = TrackStatus::Tentative;
+    if (course)
+        next.hypotheses->standingProbability = restProbability(next.state);
+    else
+        next.status = TrackStatus::Tentative;
     return next;
 }
 
@@ -232,6 +236,7 @@ Track withCheckedHeading(Track track, const Sighting& sighting, const Neighbourh
     if (quarters % 2 == 1) quarters = towardsPath(track, quarters);
     track.front = track.front.turned(quarters);
     track.path = turned(std::move(track.path), quarters);
+    if (track.shownHeading) track.shownHeading = turned(*track.shownHeading, quarters);
     if (quarters == 2) return reversed(track, options.motion);
     return quarterTurned(track, sighting, quarters, options);
 }

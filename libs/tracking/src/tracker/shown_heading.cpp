@@ -39,6 +39,12 @@ ShownHeading ShownHeading::after(const Measurement& measurement, const View& now
     return next;
 }
 
+ShownHeading turned(ShownHeading shown, int quarters)
+{
+    shown.view.bearing = wrapAngle(shown.view.bearing - 0.5 * kPi * quarters);
+    return shown;
+}
+
 Measurement turnedTowards(const ShownHeading& shown, const Measurement& measurement,
                           const Eigen::Vector2d& hits)
 {

@@ -23,6 +23,9 @@ struct ShownHeading
     ShownHeading after(const Measurement& measurement, const View& now) const;
 };
 
+/// Of the same body when its axes are turned by quarters.
+ShownHeading turned(ShownHeading shown, int quarters);
+
 /// The measurement turned about its hits towards the heading that was shown before, as far as the
 /// variances of both weigh; not where they contradict each other. Its covariance stays, as errors
 /// last. `hits`: their middle, m.

@@ -85,6 +85,7 @@ Track predictedTrack(Track track, double dt, const Eigen::Vector2d& sensor,
     const MotionHypotheses later = predicted(*track.hypotheses, dt, filter, options);
     const View now = viewOf(later.driving.front().box(), sensor);
     const double viewChange = changeOfView(before, now);
+    track.interval = dt;
     *track.hypotheses = drifted(later, track.lastingError, viewChange);
     track.viewChanged = track.viewChanged * std::exp(-dt / kViewMemory) + viewChange;
     track.seenFrom = sensor;

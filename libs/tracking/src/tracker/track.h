@@ -87,6 +87,7 @@ struct Track
     std::vector<double> typeEvidence;          ///< by filter of the bank, log-likelihoods
     std::optional<TypeProbability> type;
     double stoodProbability = 0.0;  ///< that it did, before the last prediction
+    double interval = 0.0;          ///< since the frame before this one, s
     // Of the current frame:
     int hits = 0;
     bool areParts = false;                   ///< the hits: hit at both ends of a revolution

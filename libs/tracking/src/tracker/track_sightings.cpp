@@ -147,6 +147,7 @@ VehicleState foretoldAt(double lag, const Track& track, const MotionOptions& opt
 Track takenIn(Track track, const Sighting& sighting, const BoxMeasurement& box,
               const TrackerOptions& options)
 {
+    constexpr double kHeightMemory = 1.95;  // s
     const Measurement& m = *track.measurement;
     const Vector5d& b = box.box;
     track.state = track.hypotheses->combined(options.motion);
@@ -154,7 +155,8 @@ Track takenIn(Track track, const Sighting& sighting, const BoxMeasurement& box,
         inFrameOf(stateAt(track.state, sighting.lag, options.motion).box(), sighting.around);
     track.lastMatch = m.match;
     track.groundZ = sighting.groundZ;
-    track.height = std::max(sighting.height, 0.95 * track.height + 0.05 * sighting.height);
+    const double kept = std::exp((track.lastSeen - sighting.time) / kHeightMemory);
+    track.height = std::max(sighting.height, kept * track.height + (1.0 - kept) * sighting.height);
     track = withHit(std::move(track), sighting.time, options.lifecycle);
     appendToPath(track, {sighting.time + sighting.lag,
                          {b(0), b(1), b(2), b(3), b(4)},
@@ -225,6 +227,11 @@ Track sightedTrack(Track track, const Sighting& seen, const Neighbourhood& aroun
     if (track.judgement.probability > kHardly)
         turned = turnedToKnownAxes(seen, foretold, track.front.axesProbability());
     const Sighting& sighting = turned ? *turned : seen;
+    if (isLastGlimpse(track, sighting, foretold, options.association.surfaceSigma))
+    {
+        track.hits = sighting.measurement.hits;
+        return withHit(std::move(track), sighting.time, options.lifecycle);
+    }
     Measurement m = alignedWith(sighting.measurement, foretold.mean(kHeading));
     track = withShownHeading(std::move(track), m, sighting.sensor);
     if (track.shownHeading)
@@ -241,8 +248,6 @@ Track sightedTrack(Track track, const Sighting& seen, const Neighbourhood& aroun
     track.areParts = sighting.areParts;
     track = withFacesChecked(std::move(track), sighting, options.motion);
     if (track.isFaceless) return sightedByHits(std::move(track), sighting, filter, options);
-    if (isLastGlimpse(track, sighting, foretold, options.association.surfaceSigma))
-        return withHit(std::move(track), sighting.time, options.lifecycle);
     track =
         grownToAVehicle(std::move(track), m, std::max(track.height, sighting.height), visibility);
     const VehicleState then = foretoldAt(sighting.lag, track, options.motion);

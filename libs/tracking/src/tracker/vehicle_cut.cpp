@@ -12,6 +12,7 @@
 #include "tracker/newcomers.h"
 #include "tracker/segmentation.h"
 #include "tracker/vehicles_among.h"
+#include "types/append_hit.h"
 #include "types/cluster_bounds.h"
 
 namespace vdamf
@@ -22,6 +23,7 @@ namespace
 struct Parts
 {
     std::vector<Cluster> vehicles, rest;
+    Cluster loose;  // hits of the rest that are in no cluster any more
 };
 
 // What a cluster is cut into by some vehicles; all of it is rest where they do not cut it.
@@ -29,13 +31,14 @@ Parts cutBy(const KnownVehicles& vehicles, Cluster cluster, const ClusterBounds&
             const SegmentedFrame& frame, const ClusterOptions& options)
 {
     auto cut = vehicles.cut(cluster, bounds, frame.sensor);
-    Parts parts;
-    if (cut)
-        parts = {std::move(cut->vehicles),
-                 clusteredAnew(std::move(cut->rest), frame, options).clusters};
-    else
+    if (!cut)
+    {
+        Parts parts;
         parts.rest.push_back(std::move(cluster));
-    return parts;
+        return parts;
+    }
+    ClusteredHits rest = clusteredAnew(std::move(cut->rest), frame, options);
+    return {std::move(cut->vehicles), std::move(rest.clusters), std::move(rest.loose)};
 }
 
 std::vector<PredictedTarget> drivingAmong(const std::vector<PredictedTarget>& targets)
@@ -83,6 +86,7 @@ SegmentedFrame withVehiclesCutOut(SegmentedFrame frame, const std::vector<Predic
                             frame, options.clustering);
         const bool isCut = !parts.vehicles.empty();
         append(all.vehicles, std::move(parts.vehicles));
+        appendHits(all.loose, parts.loose);
         if (!isDented)
         {
             append(all.rest, std::move(parts.rest));
@@ -98,6 +102,7 @@ SegmentedFrame withVehiclesCutOut(SegmentedFrame frame, const std::vector<Predic
             Parts more = cutBy(found, std::move(rest), within, frame, options.clustering);
             append(all.vehicles, std::move(more.vehicles));
             append(all.rest, std::move(more.rest));
+            appendHits(all.loose, more.loose);
         }
     }
     const auto isLong = [&](const Cluster& cluster)
@@ -107,6 +112,7 @@ SegmentedFrame withVehiclesCutOut(SegmentedFrame frame, const std::vector<Predic
     frame.isVehicle.resize(all.rest.size() + all.vehicles.size(), true);
     frame.clusters = std::move(all.rest);
     append(frame.clusters, std::move(all.vehicles));
+    appendHits(frame.loose, all.loose);
     return frame;
 }
 
