@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <cerrno>
 #include <exception>
+#include <functional>
 #include <new>
+#include <sstream>
 #include <stdexcept>
 #include <system_error>
 
@@ -29,6 +31,21 @@ int saidWhy(const Program& program, const std::exception& error, int exitCode)
     const char* const wipeProgress = isTerminal() ? "\r\033[K" : "";
     std::fprintf(stderr, "%s%s: %s\n", wipeProgress, program.name.c_str(), reasonOf(error).c_str());
     return exitCode;
+}
+
+/// The exit code of the work, which has failed as well where what was printed is lost.
+int worked(const Program& program, const std::function<int()>& work)
+{
+    try
+    {
+        const int exitCode = work();
+        checkPrinted(stdout);
+        return exitCode;
+    }
+    catch (const std::exception& error)
+    {
+        return saidWhy(program, error, kFailed);
+    }
 }
 
 void declareCommon(CLI::App& app, const Program& program)
@@ -105,20 +122,20 @@ int runProgram(int argc, const char* const* argv, const Program& program)
     }
     catch (const CLI::ParseError& error)
     {
-        return app.exit(error) == 0 ? kDone : kBadUse;
+        std::ostringstream told;  // by --help or --version; std::cout would lose why it fails
+        if (app.exit(error, told) != 0) return kBadUse;
+        return worked(program,
+                      [&]
+                      {
+                          std::fputs(told.str().c_str(), stdout);
+                          return kDone;
+                      });
     }
     catch (const std::exception& error)
     {
         return saidWhy(program, error, kBadUse);
     }
-    try
-    {
-        return program.work();
-    }
-    catch (const std::exception& error)
-    {
-        return saidWhy(program, error, kFailed);
-    }
+    return worked(program, program.work);
 }
 
 std::string reasonOf(const std::exception& error)

@@ -26,7 +26,8 @@ struct Program
 };
 
 /// Parses, prepares and works; the exit code. What is thrown becomes a line on the standard error
-/// that begins with the program's name. A bare Program has `--help` and `--version`. An option
+/// that begins with the program's name; so does what was printed on the standard output and cannot
+/// be written, which is a failure. A bare Program has `--help` and `--version`. An option
 /// whose value is empty is bad use. Options that are integers take decimal numbers alone.
 int runProgram(int argc, const char* const* argv, const Program& program);
 

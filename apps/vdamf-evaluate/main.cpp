@@ -226,9 +226,7 @@ int run(const CommandLine& line)
     std::string text = vdamf::evaluationText(evaluation);
     if (line.objects) text += "\n" + vdamf::objectsText(evaluation);
     const bool jsonOnStandardOutput = !line.json.empty() && vdamf::isStandardOutput(line.json);
-    if (jsonOnStandardOutput) return vdamf::kDone;
-    std::fputs(text.c_str(), stdout);
-    vdamf::checkPrinted(stdout);
+    if (!jsonOnStandardOutput) std::fputs(text.c_str(), stdout);
     return vdamf::kDone;
 }
 }  // namespace

@@ -159,13 +159,6 @@ int run(const CommandLine& line, const std::optional<vdamf::PreparedSweep>& swee
     const vdamf::SweepProgram program{VDAMF_VERSION, vdamf::digestOfFile(ownProgram())};
     return line.dryRun ? dryRun(line, *sweep, program) : sweepAll(line, *sweep, program);
 }
-
-int runAndPrint(const CommandLine& line, const std::optional<vdamf::PreparedSweep>& sweep)
-{
-    const int exitCode = run(line, sweep);
-    vdamf::checkPrinted(stdout);
-    return exitCode;
-}
 }  // namespace
 
 int main(int argc, char** argv)
@@ -177,5 +170,5 @@ int main(int argc, char** argv)
         {"vdamf-sweep", "Runs the tracker on many recordings with many settings and compares them.",
          "Example:\n  vdamf-sweep -c datasets/sweeps/street.ini -o results/street_sweep",
          [&](CLI::App& app) { declare(app, line); }, [&] { sweep = prepared(line); },
-         [&] { return runAndPrint(line, sweep); }});
+         [&] { return run(line, sweep); }});
 }
