@@ -134,6 +134,8 @@ TEST_F(Simulate, SaysWhatIsWrongWithATableOfTraffic)
     std::ofstream(path("traffic.csv")) << "x,y\n1,2\n";
     EXPECT_EQ(run("traffic.ini -o a.rawlog"), 2);
     EXPECT_THAT(contentOf("err.txt"), HasSubstr("traffic.csv:1: the column 'time_s' is missing"));
+    EXPECT_EQ(run("scene.ini -o a.rawlog --set traffic.smoothing_s=1"), 2);
+    EXPECT_THAT(contentOf("err.txt"), HasSubstr("--set: traffic.table: is missing"));
     EXPECT_FALSE(fs::exists(path("a.rawlog")));
 }
 

@@ -76,7 +76,13 @@ public:
         }
         const std::string key = options.table.empty() ? "argoverse_log" : "table";
         const std::string& name = options.table.empty() ? options.argoverseLog : options.table;
-        if (name.empty()) return;
+        if (name.empty())
+        {
+            if (document_.find("traffic") != nullptr)
+                problems_.add("traffic", "table",
+                              "is missing: [traffic] needs it, or argoverse_log instead");
+            return;
+        }
         try
         {
             const std::filesystem::path path = document_.fileOf("traffic", key, name);
