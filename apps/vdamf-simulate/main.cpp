@@ -139,6 +139,8 @@ int main(int argc, char** argv)
         if (line.overwrite) line.outputs.existing = vdamf::OutputFile::Existing::Overwrite;
         checkPaths(line);
         scenario = scenarioOf(line);
+        for (const std::string& warning : scenario.warnings)
+            std::fprintf(stderr, "%s\n", warning.c_str());
     };
     return vdamf::runProgram(
         argc, argv,

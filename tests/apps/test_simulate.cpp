@@ -134,9 +134,22 @@ TEST_F(Simulate, SaysWhatIsWrongWithATableOfTraffic)
     std::ofstream(path("traffic.csv")) << "x,y\n1,2\n";
     EXPECT_EQ(run("traffic.ini -o a.rawlog"), 2);
     EXPECT_THAT(contentOf("err.txt"), HasSubstr("traffic.csv:1: the column 'time_s' is missing"));
+    std::ofstream(path("traffic.csv")) << truthHeader();
+    EXPECT_EQ(run("traffic.ini -o a.rawlog"), 2);
+    EXPECT_THAT(contentOf("err.txt"), HasSubstr("traffic.csv: holds no object"));
     EXPECT_EQ(run("scene.ini -o a.rawlog --set traffic.smoothing_s=1"), 2);
     EXPECT_THAT(contentOf("err.txt"), HasSubstr("--set: traffic.table: is missing"));
     EXPECT_FALSE(fs::exists(path("a.rawlog")));
+}
+
+TEST_F(Simulate, SaysWhichTrafficItLeavesOut)
+{
+    ASSERT_EQ(run("scene.ini -o a.rawlog --truth a.csv --set scenario.duration_s=0.3"), 0);
+    std::ofstream(path("again.ini")) << "[traffic]\ntable = a.csv\n[sensor]\nmodel = VLP-16\n";
+    ASSERT_EQ(run("again.ini -q -o b.rawlog --truth b.csv"), 0);
+    EXPECT_EQ(contentOf("err.txt"),
+              "a.csv: 1 of its 1 objects have fewer than 5 labels and are left out: 'ahead'\n");
+    EXPECT_EQ(contentOf("b.csv"), truthHeader());
 }
 
 TEST_F(Simulate, NeverWritesOverItsScenario)

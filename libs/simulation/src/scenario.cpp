@@ -2,6 +2,7 @@
 #include "vdamf/simulation/scenario.h"
 
 #include <cmath>
+#include <utility>
 
 #include "scene_builder.h"
 #include "sensor_sections.h"
@@ -36,7 +37,9 @@ Scenario readScenario(const IniDocument& document)
     const ObjectSections objects = readObjects(document, reader);
     reader.finish();
 
-    scenario.scene = buildScene(document, platform, objects, scenario.run.duration);
+    BuiltScene built = buildScene(document, platform, objects, scenario.run.duration);
+    scenario.scene = std::move(built.scene);
+    scenario.warnings = std::move(built.warnings);
     scenario.scene.terrain = Terrain(terrain);
     for (SceneObject& object : scenario.scene.objects) object.paint = paintOf(object.name);
     return scenario;

@@ -86,8 +86,9 @@ public:
         try
         {
             const std::filesystem::path path = document_.fileOf("traffic", key, name);
-            addRecording(key, options.table.empty() ? readArgoverseLog(path) : readTruthTable(path),
-                         options.smoothing);
+            const Recording recording =
+                options.table.empty() ? readArgoverseLog(path) : readTruthTable(path);
+            addRecording(key, path, recording, options.smoothing);
         }
         catch (const std::runtime_error& error)
         {
@@ -95,10 +96,10 @@ public:
         }
     }
 
-    Scene finish() &&
+    BuiltScene finish() &&
     {
         problems_.throwIfAny();
-        return std::move(scene_);
+        return {std::move(scene_), std::move(warnings_)};
     }
 
 private:
@@ -131,7 +132,8 @@ private:
         return towed(vehicle->trajectory, bar, duration_);
     }
 
-    void addRecording(const std::string& key, const Recording& recording, double smoothing)
+    void addRecording(const std::string& key, const std::filesystem::path& path,
+                      const Recording& recording, double smoothing)
     {
         if (recording.platform.size() >= 2)
         {
@@ -142,7 +144,10 @@ private:
             }
             scene_.platform = smoothed(recording.platform, 0.0, smoothing);
         }
-        for (SceneObject& object : sceneObjects(recording, smoothing))
+        TrafficObjects traffic = trafficOf(recording, smoothing);
+        for (const std::string& warning : traffic.warnings)
+            warnings_.push_back(path.string() + ": " + warning);
+        for (SceneObject& object : traffic.objects)
         {
             const bool isTaken =
                 std::any_of(scene_.objects.begin(), scene_.objects.end(),
@@ -170,6 +175,7 @@ private:
     SceneProblems problems_;
     double duration_;
     Scene scene_;
+    std::vector<std::string> warnings_;
 };
 }  // namespace
 
@@ -187,8 +193,8 @@ ObjectSections readObjects(const IniDocument& document, IniReader& reader)
     return sections;
 }
 
-Scene buildScene(const IniDocument& document, const PlatformOptions& platform,
-                 const ObjectSections& sections, double duration)
+BuiltScene buildScene(const IniDocument& document, const PlatformOptions& platform,
+                      const ObjectSections& sections, double duration)
 {
     SceneBuilder builder(document, duration);
     builder.setPlatform(platform);

@@ -27,11 +27,17 @@ struct ObjectSections
     TrafficOptions traffic;            ///< section [traffic]
 };
 
+struct BuiltScene
+{
+    Scene scene;
+    std::vector<std::string> warnings;  ///< what recorded traffic lost, each with its place
+};
+
 ObjectSections readObjects(const IniDocument& document, IniReader& reader);
 
 /// The scene for times from 0 to `duration` in s. Throws IniError that lists what is wrong with
 /// the parts, each with file, line and key.
-Scene buildScene(const IniDocument& document, const PlatformOptions& platform,
-                 const ObjectSections& sections, double duration);
+BuiltScene buildScene(const IniDocument& document, const PlatformOptions& platform,
+                      const ObjectSections& sections, double duration);
 
 }  // namespace vdamf

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "traffic.h"
 
+#include <algorithm>
 #include <stdexcept>
+
+#include "vdamf/files/text_file.h"
 
 namespace vdamf
 {
@@ -30,24 +33,49 @@ SceneObject sceneObject(const LabelledObject& labelled, double smoothing)
     object.vanishes = labelled.poses.back().time;
     return object;
 }
+
+/// Adds how many there are, and the names of the first.
+void warn(std::vector<std::string>& warnings, const std::vector<std::string>& names,
+          std::size_t all, const std::string& what)
+{
+    constexpr std::size_t kNamed = 5;
+    if (names.empty()) return;
+    std::string text =
+        std::to_string(names.size()) + " of its " + std::to_string(all) + " objects " + what;
+    for (std::size_t i = 0; i < std::min(names.size(), kNamed); ++i)
+        text += (i == 0 ? ": " : ", ") + inQuotes(names[i]);
+    warnings.push_back(text + (names.size() > kNamed ? ", ..." : ""));
+}
 }  // namespace
 
-std::vector<SceneObject> sceneObjects(const Recording& recording, double smoothing)
+TrafficObjects trafficOf(const Recording& recording, double smoothing)
 {
-    std::vector<SceneObject> objects;
+    TrafficObjects traffic;
+    std::vector<std::string> rare;
+    std::vector<std::string> small;
     for (const LabelledObject& labelled : recording.objects)
     {
-        if (labelled.poses.size() < kFewestLabels) continue;
+        if (labelled.poses.size() < kFewestLabels)
+        {
+            rare.push_back(labelled.name);
+            continue;
+        }
+        if (fittingClass(labelled) != labelled.objectClass) small.push_back(labelled.name);
         try
         {
-            objects.push_back(sceneObject(labelled, smoothing));
+            traffic.objects.push_back(sceneObject(labelled, smoothing));
         }
         catch (const std::runtime_error& error)
         {
             throw std::runtime_error("object " + labelled.name + ": " + error.what());
         }
     }
-    return objects;
+    const std::size_t all = recording.objects.size();
+    warn(traffic.warnings, rare, all,
+         "have fewer than " + std::to_string(kFewestLabels) + " labels and are left out");
+    warn(traffic.warnings, small, all,
+         "are smaller than their class can be: boxes in the scene, not in the truth");
+    return traffic;
 }
 
 }  // namespace vdamf

@@ -51,6 +51,7 @@ Recording readTruthTable(const std::filesystem::path& path)
             recording.platform.push_back({time, row.sensor->x, row.sensor->y, row.sensor->heading});
         }
     }
+    if (recording.objects.empty()) throw std::runtime_error(path.string() + ": holds no object");
     return recording;
 }
 

@@ -34,7 +34,8 @@ struct Recording
 Recording readArgoverseLog(const std::filesystem::path& folder);
 
 /// A truth.csv (evaluation/tables.h), in its own frame. The platform is where the sensor was.
-/// Throws std::runtime_error that names the file and the cell or the time.
+/// Throws std::runtime_error that names the file and the cell or the time, or the file without
+/// objects.
 Recording readTruthTable(const std::filesystem::path& path);
 
 }  // namespace vdamf

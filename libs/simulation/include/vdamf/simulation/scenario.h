@@ -31,6 +31,7 @@ struct Scenario
     RecordingOptions recording;
     std::vector<SimulatedSensor> sensors;  ///< the first one's scans are the frames
     Scene scene;
+    std::vector<std::string> warnings;  ///< what of recorded traffic is not as it is labelled
 
     int frames() const;
     /// Scene time at which a frame's scan begins, s.
