@@ -110,6 +110,9 @@ TEST_F(Simulate, BadUseAndBadScenariosEndWithTwo)
     EXPECT_EQ(run("scene.ini -o a.rawlog --set platform.sped_mps=1"), 2);
     EXPECT_THAT(contentOf("err.txt"), HasSubstr("speed_mps"));
     EXPECT_EQ(run("scene.ini -o a.rawlog --set speed"), 2);
+    EXPECT_EQ(run("scene.ini -o a.rawlog --set sensor.rate_hz=30"), 2);
+    EXPECT_THAT(contentOf("err.txt"),
+                HasSubstr("--set: sensor.rate_hz = '30': the sensor scans at most 20 times"));
     EXPECT_EQ(run("missing.ini -o a.rawlog"), 2);
     EXPECT_THAT(contentOf("err.txt"), HasSubstr("missing.ini"));
     std::ofstream(path("bad.ini")) << "[platform]\nsped_mps = 3\n";

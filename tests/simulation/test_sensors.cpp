@@ -136,19 +136,23 @@ TEST(Sensors, HaveRandomNumbersOfTheirOwn)
 TEST(Sensors, WhatTheyCannotDoIsSaidWithPlaceAndKey)
 {
     EXPECT_THAT(errorOf("[sensor]\nmodel = VLP-16\nrate_hz = 25\n"),
-                HasSubstr("small.ini:3: sensor.rate_hz: the sensor scans at most 20 times"));
+                HasSubstr("small.ini:3: sensor.rate_hz = '25': the sensor scans at most 20 "));
     EXPECT_THAT(errorOf("[sensor]\nmodel = VLP-16\nresolution_deg = 1\n"),
-                HasSubstr("small.ini:3: sensor.resolution_deg: only line scanners"));
+                HasSubstr("small.ini:3: sensor.resolution_deg = '1': only line scanners"));
     EXPECT_THAT(errorOf("[sensor a]\nmodel = LMS-291\nfield_of_view_deg = 190\n"),
-                HasSubstr("small.ini:3: sensor a.field_of_view_deg: the sensor has 180 degrees"));
+                HasSubstr("small.ini:3: sensor a.field_of_view_deg = '190': the sensor has 180 "));
+    EXPECT_THAT(errorOf("[sensor a]\nmodel = LMS-291\nfield_of_view_deg = 0.1\n"),
+                HasSubstr("small.ini:3, small.ini: sensor a.field_of_view_deg: is smaller than"));
     EXPECT_THAT(errorOf("[sensor]\n[sensor velodyne]\n"),
                 HasSubstr("the label 'velodyne' is taken already"));
     EXPECT_THAT(errorOf("[sensor ins]\n"), HasSubstr("the label 'ins' is taken already"));
     EXPECT_THAT(errorOf("[sensor a]\ndelay_s = 0.1\n"),
-                HasSubstr("small.ini:2: sensor a.delay_s: the first sensor's scans"));
+                HasSubstr("small.ini:2: sensor a.delay_s = '0.1': the first sensor's scans"));
     EXPECT_THAT(errorOf("[sensor a]\nmodle = VLP-16\n"), HasSubstr("unknown key sensor a.modle"));
     EXPECT_THAT(errorOf("[ins]\ngap_every_s = 2\ngap_length_s = 2\n"),
-                HasSubstr("ins.gap_length_s"));
+                HasSubstr("small.ini:3, small.ini:2: ins.gap_length_s = 2 must be below "));
+    EXPECT_THAT(errorOf("[output]\npose_source = actions\n"),
+                HasSubstr("small.ini:2, small.ini: output.pose_source: actions need "));
 }
 
 TEST(Sensors, OnASlopeTheTruthHasHeights)

@@ -6,6 +6,7 @@
 
 #include "scene_builder.h"
 #include "sensor_sections.h"
+#include "vdamf/files/numbers.h"
 #include "vdamf/simulation/paint.h"
 
 namespace vdamf
@@ -28,12 +29,15 @@ Scenario readScenario(const IniDocument& document)
     reader.read("terrain", terrain);
     reader.read("ins", scenario.ins);
     reader.require(scenario.ins.gapLength < scenario.ins.gapEvery,
-                   "ins.gap_length_s: must be shorter than ins.gap_every_s, "
-                   "which is counted from gap to gap");
+                   "ins.gap_length_s = " + toText(scenario.ins.gapLength) +
+                       " must be below ins.gap_every_s = " + toText(scenario.ins.gapEvery) +
+                       ", which is counted from gap to gap",
+                   {{"ins", "gap_length_s"}, {"ins", "gap_every_s"}});
     reader.read("output", scenario.recording);
     reader.require(
         scenario.recording.sensoryFrames || scenario.recording.poseSource != PoseSource::Actions,
-        "output.pose_source: actions need output.sensory_frames = true");
+        "output.pose_source: actions need output.sensory_frames = true",
+        {{"output", "pose_source"}, {"output", "sensory_frames"}});
     const ObjectSections objects = readObjects(document, reader);
     reader.finish();
 

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "vdamf/files/numbers.h"
+#include "vdamf/files/text_file.h"
 
 namespace vdamf
 {
@@ -36,19 +37,12 @@ LadarMount mountOf(const RunOptions& run, const SensorOptions& sensor)
     return mount;
 }
 
-/// Of the section where the key does not stand in the file.
-int lineOf(const IniDocument& document, const std::string& section, const std::string& key)
+/// The key with the value that the document gives it.
+std::string assignmentOf(const IniDocument& document, const std::string& section,
+                         const std::string& key)
 {
-    int line = 0;
-    if (const IniSection* found = document.find(section))
-    {
-        line = found->line;
-        for (const IniEntry& entry : found->entries)
-        {
-            if (entry.key == key) line = entry.line;
-        }
-    }
-    return line;
+    const IniEntry* const entry = document.find(section, key);
+    return section + "." + key + (entry == nullptr ? "" : " = " + inQuotes(entry->value));
 }
 
 void checkSensor(const IniDocument& document, IniReader& reader, const std::string& section,
@@ -61,8 +55,8 @@ void checkSensor(const IniDocument& document, IniReader& reader, const std::stri
     const double minRate = sheet.isLineScanner() ? 0.0 : kSpinningMinRate;
     const auto require = [&](bool condition, const std::string& key, const std::string& problem)
     {
-        reader.require(condition, section + "." + key + ": " + problem,
-                       lineOf(document, section, key));
+        reader.require(condition, assignmentOf(document, section, key) + ": " + problem,
+                       {{section, key}});
     };
     require(mount.rate >= minRate && mount.rate <= sheet.maxRate, "rate_hz",
             "the sensor scans at most " + toText(sheet.maxRate) + " times a second" +
@@ -72,8 +66,9 @@ void checkSensor(const IniDocument& document, IniReader& reader, const std::stri
     require(!sheet.isLineScanner() || mount.fieldOfView <= sheet.fieldOfView + 1e-9,
             "field_of_view_deg",
             "the sensor has " + toText(sheet.fieldOfView * 180.0 / kPi) + " degrees at most");
-    require(mount.fieldOfView >= mount.ladar.resolution, "field_of_view_deg",
-            "is smaller than resolution_deg");
+    reader.require(mount.fieldOfView >= mount.ladar.resolution,
+                   section + ".field_of_view_deg: is smaller than resolution_deg",
+                   {{section, "field_of_view_deg"}, {section, "resolution_deg"}});
 }
 }  // namespace
 
@@ -105,10 +100,10 @@ std::vector<SimulatedSensor> readSensors(const IniDocument& document, IniReader&
         checkSensor(document, reader, section, sensor);
         sensors.push_back(sensor);
     }
-    reader.require(
-        sensors.front().options.delay == 0.0,
-        sections.front() + ".delay_s: the first sensor's scans are the frames; delay the others",
-        lineOf(document, sections.front(), "delay_s"));
+    reader.require(sensors.front().options.delay == 0.0,
+                   assignmentOf(document, sections.front(), "delay_s") +
+                       ": the first sensor's scans are the frames; delay the others",
+                   {{sections.front(), "delay_s"}});
     return sensors;
 }
 
