@@ -7,6 +7,7 @@
 #include <iterator>
 #include <sstream>
 #include <stdexcept>
+#include <string>
 
 #include "filter_clusters.h"
 #include "held_out.h"
@@ -14,6 +15,7 @@
 #include "program.h"
 #include "vdamf/files/numbers.h"
 #include "vdamf/rawlog/filter_file.h"
+#include "vdamf/tracking/types/vehicle_type.h"
 
 namespace vdamf
 {
@@ -58,6 +60,19 @@ ClusterCollection collectClusters(const FilterJob& job, const std::atomic<bool>&
                              [&] { return clustersOf(recording, job.configuration, stop); }));
     if (all.train.empty()) throw std::runtime_error("nothing to train on: all is for testing");
     return all;
+}
+
+/// On stderr which types have no filter in the bank.
+void warnOfRareTypes(const ClusterCollection& all, const FilterTrainingOptions& training)
+{
+    std::string rare;
+    for (const TypeCount& one : rareTypes(all.train, training.leastOfType))
+        rare += (rare.empty() ? "" : ", ") + std::string(toString(one.type)) + " (" +
+                std::to_string(one.clusters) + ")";
+    if (rare.empty()) return;
+    std::fprintf(stderr,
+                 "--bank: types with fewer than %d clusters have no filter of their own: %s\n",
+                 training.leastOfType, rare.c_str());
 }
 
 /// A line on stderr that is written over, and the end of an interrupted training.
@@ -133,6 +148,7 @@ void trainFilter(const FilterJob& job, const std::atomic<bool>& stop)
     checkFiles(job.sources.recordings);
     Outputs outputs(outputsOf(job), job.overwrite);
     const ClusterCollection all = collectClusters(job, stop);
+    if (job.training.bank) warnOfRareTypes(all, job.training);
     Progress progress(job.quiet, stop);
     const MeasureOptions& handSet = job.configuration.tracker.measurement;
     FilterTraining training = trainFilter(all.train, handSet, job.training, std::ref(progress));

@@ -64,6 +64,20 @@ TEST_F(TrainFilterApp, MakesAFilterThatVdamfTrackTakes)
     EXPECT_FALSE(fs::exists(at("u.csv")));
 }
 
+TEST_F(TrainFilterApp, TellsWhichTypesABankLeavesOut)
+{
+    make("sources.ini",
+         "[simulated cars]\nkind = car\nclusters = 40\n"
+         "[simulated vans]\nkind = van\nclusters = 39\n");
+    const std::string command = "filter sources.ini --folds 0 --global 0 --local 0 -q -o ";
+    ASSERT_EQ(run("vdamf-train", command + "bank.txt --bank"), 0) << output_;
+    EXPECT_THAT(output_, HasSubstr("--bank: types with fewer than 40 clusters have no filter of "
+                                   "their own: van (39), truck (0), two_wheeler (0)\n"));
+    EXPECT_THAT(contentOf("bank.txt"), HasSubstr("[filter car]"));
+    ASSERT_EQ(run("vdamf-train", command + "common.txt"), 0) << output_;
+    EXPECT_THAT(output_, testing::Not(HasSubstr("--bank")));
+}
+
 TEST_F(TrainFilterApp, RefusesSourcesThatItCannotLearnFrom)
 {
     make("none.ini", "# nothing\n");

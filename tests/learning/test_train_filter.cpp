@@ -111,6 +111,18 @@ TEST(TrainFilter, ComparesOnVehiclesThatItDidNotSee)
     EXPECT_EQ(car.share, 0.5);
 }
 
+TEST(TrainFilter, CountsTheTypesThatABankLeavesOut)
+{
+    const auto clusters = conditions({"car", "truck"}, 10);
+    ASSERT_EQ(rareTypes(clusters, 10).size(), 2U);
+    const std::vector<TypeCount> rare = rareTypes(clusters, 11);
+    ASSERT_EQ(rare.size(), 4U);
+    EXPECT_EQ(rare[0].type, VehicleType::Car);
+    EXPECT_EQ(rare[0].clusters, 10U);
+    EXPECT_EQ(rare[1].type, VehicleType::Van);
+    EXPECT_EQ(rare[1].clusters, 0U);
+}
+
 TEST(TrainFilter, NeedsClustersAndVehiclesForItsFolds)
 {
     EXPECT_THROW(trainFilter({}, {}, fewEvaluations(), {}), std::runtime_error);

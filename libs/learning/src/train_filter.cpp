@@ -185,4 +185,16 @@ FilterTraining trainFilter(const std::vector<LabelledClusters>& conditions,
     return training;
 }
 
+std::vector<TypeCount> rareTypes(const std::vector<LabelledClusters>& conditions, int least)
+{
+    std::vector<TypeCount> rare;
+    for (const auto& [type, name] : EnumNames<VehicleType>::names())
+    {
+        if (type == VehicleType::Any) continue;
+        const std::size_t count = clustersIn(ofType(conditions, type));
+        if (count < static_cast<std::size_t>(least)) rare.push_back({type, count});
+    }
+    return rare;
+}
+
 }  // namespace vdamf

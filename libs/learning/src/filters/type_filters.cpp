@@ -49,6 +49,13 @@ std::vector<LabelledClusters> ofType(const std::vector<LabelledClusters>& condit
     return some;
 }
 
+std::size_t clustersIn(const std::vector<LabelledClusters>& conditions)
+{
+    std::size_t count = 0;
+    for (const LabelledClusters& condition : conditions) count += condition.samples.size();
+    return count;
+}
+
 TypeSizes sizesOf(const std::vector<LabelledClusters>& conditions)
 {
     std::map<std::string, const LabelledCluster*> vehicles;
@@ -87,8 +94,7 @@ std::vector<TypedFilter> typedFilters(const std::vector<LabelledClusters>& condi
     {
         if (type == VehicleType::Any) continue;
         const std::vector<LabelledClusters> mine = ofType(conditions, type);
-        std::size_t count = 0;
-        for (const LabelledClusters& condition : mine) count += condition.samples.size();
+        const std::size_t count = clustersIn(mine);
         if (count < static_cast<std::size_t>(least)) continue;
         TypedFilter filter;
         filter.type = type;

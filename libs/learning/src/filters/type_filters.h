@@ -2,6 +2,7 @@
 // The types of vehicles among labelled clusters.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,9 @@ std::string nameOf(VehicleType type);
 /// Those of one type.
 std::vector<LabelledClusters> ofType(const std::vector<LabelledClusters>& conditions,
                                      VehicleType type);
+
+/// Under all conditions together.
+std::size_t clustersIn(const std::vector<LabelledClusters>& conditions);
 
 /// Usual sizes, every vehicle counted once. Standard deviations are 0.05 m at least.
 TypeSizes sizesOf(const std::vector<LabelledClusters>& conditions);

@@ -2,6 +2,7 @@
 // Learns the measurement's parameters from labelled clusters (the paper's future work).
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -9,6 +10,7 @@
 
 #include "vdamf/learning/clusters/case_summary.h"
 #include "vdamf/learning/clusters/labelled_cluster.h"
+#include "vdamf/tracking/types/vehicle_type.h"
 
 namespace vdamf
 {
@@ -47,6 +49,16 @@ using FilterProgress = std::function<void(const std::string& step, double share)
 FilterTraining trainFilter(const std::vector<LabelledClusters>& conditions,
                            const MeasureOptions& handSet, const FilterTrainingOptions& options,
                            const FilterProgress& progress);
+
+/// Clusters of one type of vehicle.
+struct TypeCount
+{
+    VehicleType type = VehicleType::Any;
+    std::size_t clusters = 0;
+};
+
+/// Types with fewer clusters than `least`, of which a bank has no filter.
+std::vector<TypeCount> rareTypes(const std::vector<LabelledClusters>& conditions, int least);
 
 /// Hand-set, learned and, of several filters, bank on clusters that none of them was trained on.
 std::vector<HeldOutCondition> comparedOn(const std::vector<LabelledClusters>& conditions,
