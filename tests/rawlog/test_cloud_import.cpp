@@ -129,9 +129,6 @@ TEST_F(CloudImportTest, TimesInAnotherUnitAreRefusedButInNames)
         EXPECT_THAT(error(), HasSubstr("p.tum:1: '" + time + "' is no time in seconds"));
         job_.poses.clear();
     }
-    job_.times = make("times.txt", "-0.5\n");
-    EXPECT_EQ(error(), "none");
-    job_.times.clear();
     std::filesystem::remove(at("in/a.ply"));
     for (const std::string name :
          {"1317044500", "1317044500.25", "1317044500250", "1317044500250.5", "1317044500250000034"})
@@ -143,6 +140,23 @@ TEST_F(CloudImportTest, TimesInAnotherUnitAreRefusedButInNames)
     }
     cloud("1000000000000000000000.5.ply", 1);
     EXPECT_THAT(error(), HasSubstr("times of the clouds are not known"));
+}
+
+TEST_F(CloudImportTest, TimesBeforeZeroAreRefused)
+{
+    cloud("1.ply", 1);
+    cloud("2.ply", 2);
+    job_.times = make("times.txt", "-0.5\n1\n");
+    EXPECT_THAT(error(), HasSubstr("times.txt:1: '-0.5' is no time in seconds; expected 0 (1970"));
+    job_.times = make("times.txt", "0\n0.1\n");
+    EXPECT_EQ(error(), "none");
+    EXPECT_EQ(scans().at(0).time, 0.0);
+    job_.times.clear();
+    job_.poses = make("p.tum", "-1 0 0 0 0 0 0 1\n0 1 0 0 0 0 0 1\n");
+    EXPECT_THAT(error(), HasSubstr("p.tum:1: '-1' is no time in seconds; expected 0 (1970"));
+    job_.poses = make("p.tum", "0 0 0 0 0 0 0 1\n0.1 1 0 0 0 0 0 1\n");
+    EXPECT_EQ(error(), "none");
+    EXPECT_NEAR(scans().at(1).time, 0.1, 1e-6);
 }
 
 TEST_F(CloudImportTest, PosesOfEitherFormat)

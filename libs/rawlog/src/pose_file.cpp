@@ -55,7 +55,8 @@ void checkTime(double time, std::string_view line, const std::string& where)
 {
     if (isTimeInSeconds(time)) return;
     throw std::runtime_error(where + ": " + inQuotes(line.substr(0, line.find_first_of(" \t"))) +
-                             " is no time in seconds");
+                             " is no time in seconds; expected 0 (1970, or the begin of the "
+                             "recording) or more, and less than 1e11");
 }
 
 FilePose fromTum(const std::vector<double>& n, const std::string& where)

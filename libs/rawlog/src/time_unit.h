@@ -14,11 +14,11 @@ inline double secondsPerUnit(double time)
     return 1.0;
 }
 
-/// From where MRPT's clock begins (1601) to what would be milliseconds.
+/// From 0 (1970, or the begin of the recording) to what would be milliseconds. Earlier ones MRPT's
+/// clock gives back as others.
 inline bool isTimeInSeconds(double time)
 {
-    constexpr double kClockBegin = -11'644'473'600.0;
-    return time > kClockBegin && secondsPerUnit(time) == 1.0;
+    return time >= 0.0 && secondsPerUnit(time) == 1.0;
 }
 
 }  // namespace vdamf
