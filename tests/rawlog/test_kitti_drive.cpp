@@ -124,6 +124,18 @@ TEST_F(KittiDriveTest, RefusesBadTimes)
                 HasSubstr("times.txt:2: the time is not after that of the line before"));
 }
 
+TEST_F(KittiDriveTest, RefusesDatesThatAreInNoCalendar)
+{
+    const auto errorOn = [this](const std::string& date)
+    { return timeError("1999-01-01 00:00:00.0\n" + date + " 13:02:25.9\n"); };
+    for (const char* bad : {"2011-02-30", "2011-02-29", "2100-02-29", "2012-02-30", "2011-04-31",
+                            "2011-06-31", "2011-09-31", "2011-11-31", "2011-12-32", "2011-01-00"})
+        EXPECT_THAT(errorOn(bad), HasSubstr("times.txt:2: expected a time like 2011-09-26")) << bad;
+    for (const char* good : {"2011-02-28", "2012-02-29", "2000-02-29", "2011-04-30", "2011-01-31",
+                             "2011-07-31", "2011-08-31", "2011-12-31"})
+        EXPECT_EQ(errorOn(good), "(nothing thrown)") << good;
+}
+
 TEST_F(KittiDriveTest, NamesMissingFiles)
 {
     EXPECT_THAT(errorOf([&] { readKittiDrive(at("none")); }), HasSubstr("there is no such folder"));

@@ -17,7 +17,7 @@ constexpr std::int64_t kNanosecondsPerTick = 100;
 constexpr std::int64_t kSecondsBeforeUnix = 11'644'473'600;
 
 // Days since 1970-01-01 of a date in the Gregorian calendar: years start in March, so that the
-// leap day is a year's last.
+// leap day is a year's last. The month behind December is the next January.
 std::int64_t daysSinceUnix(std::int64_t year, std::int64_t month, std::int64_t day)
 {
     const std::int64_t marchYear = month <= 2 ? year - 1 : year;
@@ -27,6 +27,12 @@ std::int64_t daysSinceUnix(std::int64_t year, std::int64_t month, std::int64_t d
     const std::int64_t dayOfYear = (153 * marchMonth + 2) / 5 + day - 1;
     const std::int64_t dayOfEra = yearOfEra * 365 + yearOfEra / 4 - yearOfEra / 100 + dayOfYear;
     return era * 146'097 + dayOfEra - 719'468;
+}
+
+// The calendar knows the date; not 30 February.
+bool isDate(std::int64_t year, std::int64_t month, std::int64_t day)
+{
+    return day <= daysSinceUnix(year, month + 1, 1) - daysSinceUnix(year, month, 1);
 }
 
 // Digits of a field at a fixed place, when they are a number from min to max.
@@ -67,6 +73,7 @@ std::optional<mrpt::Clock::time_point> timeOf(std::string_view text)
     const auto second = field(text, 17, 2, 0, 60);
     const auto fraction = nanoseconds(text.substr(kPattern.size()));
     if (!year || !month || !day || !hour || !minute || !second || !fraction) return std::nullopt;
+    if (!isDate(*year, *month, *day)) return std::nullopt;
     const std::int64_t seconds = daysSinceUnix(*year, *month, *day) * 86'400 + *hour * 3'600 +
                                  *minute * 60 + *second + kSecondsBeforeUnix;
     const std::int64_t ticks = (*fraction + kNanosecondsPerTick / 2) / kNanosecondsPerTick;
