@@ -178,8 +178,14 @@ TEST_F(OddInputs, PosesThatCannotBeAreNone)
     {
         const Outcome run = trackOf(pose(0.0, x) + scan(0.05) + pose(0.1, x));
         EXPECT_EQ(run.exitCode, 1);
-        EXPECT_THAT(run.output, HasSubstr("no INS pose at the time of any scan"));
+        EXPECT_THAT(run.output, HasSubstr("no INS pose at the time of any scan (1 scans; poses: "
+                                          "none, 2 impossible ones left out); see"));
     }
+    make("in.rawlog", pose(0.0, 1e9) + scan(0.05) + pose(0.1, 1e9));
+    EXPECT_THAT(
+        track(in("in.rawlog") + " --tracks " + path("t.csv") + " --set ins.source=robot_pose")
+            .output,
+        HasSubstr("poses: none with source = robot_pose, 2 impossible ones left out); see"));
 }
 
 TEST_F(OddInputs, LabelsThatAreThereAreToldWhereNoneFits)

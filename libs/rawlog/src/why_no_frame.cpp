@@ -67,6 +67,9 @@ std::string whyNoFrame(const TrackRawlogJob& job, const TrackRawlogSummary& summ
                (summary.poseTooLate > 0 ? ", but for " + std::to_string(summary.poseTooLate) +
                                               " of them more than a second behind in the rawlog"
                                         : "") +
+               (summary.ins.impossible > 0
+                    ? ", " + std::to_string(summary.ins.impossible) + " impossible ones left out"
+                    : "") +
                "); see section [ins] of the configuration" +
                (summary.ins.taken > 0 ? ", and whether scans and poses have one clock" : "");
     return "no scan could be read: " + summary.firstUnreadable;
