@@ -242,6 +242,8 @@ TEST_F(CloudFiles, AreKnownByTheirEnding)
 {
     expectTheCloud(readCloudFile(make("a.PCD", binaryPcd())));
     expectTheCloud(readCloudFile(make("a.ply", asciiPly())));
+    expectTheCloud(readCloudFile(make("marked.pcd", "\xEF\xBB\xBF" + binaryPcd())));
+    expectTheCloud(readCloudFile(make("marked.ply", "\xEF\xBB\xBF" + asciiPly())));
     std::string bin;
     for (const float value : {1.0F, 2.0F, 3.0F, 0.5F}) bin += bytesOf(value);
     EXPECT_EQ(readCloudFile(make("a.bin", bin)).points.size(), 1U);

@@ -103,6 +103,21 @@ TEST_F(CloudImportTest, TimesAreFromAFileOrNamesOrPoses)
     EXPECT_NEAR(scans().at(1).time, 1317042146.5, 1e-6);
 }
 
+TEST_F(CloudImportTest, TextsMayBeginWithAByteOrderMark)
+{
+    const std::string mark = "\xEF\xBB\xBF";
+    cloud("1.ply", 1);
+    cloud("2.ply", 2);
+    job_.poses = make("p.tum", mark + "# t x y z\n1 0 0 0 0 0 0 1\n2 1 0 0 0 0 0 1\n");
+    job_.times = make("times.txt", mark + "1\n1.5\n");
+    EXPECT_EQ(error(), "none");
+    EXPECT_NEAR(scans().at(1).time, 1.5, 1e-6);
+    job_.poses.clear();
+    job_.times = make("times.txt", mark + "2011-09-26 13:02:25.5\n2011-09-26 13:02:26.5\n");
+    EXPECT_EQ(error(), "none");
+    EXPECT_NEAR(scans().at(1).time, 1317042146.5, 1e-6);
+}
+
 TEST_F(CloudImportTest, PosesOfAnotherClockAreRefused)
 {
     cloud("1.ply", 1);

@@ -107,6 +107,13 @@ TEST_F(KittiDriveTest, TimesKeepTheirTicks)
     EXPECT_EQ(times[3].time_since_epoch().count() - kUnix, 13'170'421'459'640'001);
 }
 
+TEST_F(KittiDriveTest, TimesMayBeginWithAByteOrderMark)
+{
+    const std::string mark = "\xEF\xBB\xBF";
+    EXPECT_EQ(timeError(mark + "2011-09-26 13:02:25.96\n2011-09-26 13:02:26.06\n"),
+              "(nothing thrown)");
+}
+
 TEST_F(KittiDriveTest, RefusesBadTimes)
 {
     const std::string good = "2011-09-26 13:02:25.96\n";
@@ -202,6 +209,15 @@ TEST_F(KittiDriveTest, ReadsPoints)
     EXPECT_EQ(scan.z[3], -1.7F);
     EXPECT_EQ(scan.intensity[2], 0.75F);
     EXPECT_TRUE(scan.time.empty());
+}
+
+// In a text they would be a byte order mark.
+TEST_F(KittiDriveTest, ReadsPointsThatBeginWithAnyBytes)
+{
+    const std::string bytes = "\xEF\xBB\xBF\x41" + KittiExampleDrive::scan(1).substr(sizeof(float));
+    const PointCloud scan = readKittiScan(make("s.bin", bytes));
+    ASSERT_EQ(scan.size(), 4U);
+    EXPECT_NEAR(scan.x[0], 23.97F, 0.01F);
 }
 
 TEST_F(KittiDriveTest, RefusesDamagedPoints)

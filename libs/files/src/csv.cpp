@@ -126,8 +126,7 @@ struct CsvReader::State
     void readHeader(const std::vector<std::string>& required)
     {
         std::optional<std::string_view> header = nextLine();
-        constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-        if (header && header->substr(0, 3) == kByteOrderMark) header->remove_prefix(3);
+        if (header) header = withoutByteOrderMark(*header);
         if (!header || trimmed(*header).empty())
         {
             line = 1;

@@ -115,8 +115,7 @@ bool standsInIni(std::string_view value)
 
 IniDocument IniDocument::parse(std::string_view text, std::string fileName)
 {
-    constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-    if (text.substr(0, 3) == kByteOrderMark) text.remove_prefix(3);
+    text = withoutByteOrderMark(text);
     Parser parser(fileName);
     while (!text.empty())
     {

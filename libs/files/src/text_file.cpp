@@ -10,7 +10,7 @@
 
 namespace vdamf
 {
-std::string readTextFile(const std::filesystem::path& path, std::size_t maxBytes)
+std::string readBytes(const std::filesystem::path& path, std::size_t maxBytes)
 {
     std::error_code ignored;
     if (std::filesystem::is_directory(path, ignored))
@@ -41,6 +41,20 @@ std::string readTextFile(const std::filesystem::path& path, std::size_t maxBytes
                                  ": cannot read: " + std::system_category().message(errno));
     }
     return bytes;
+}
+
+std::string readTextFile(const std::filesystem::path& path, std::size_t maxBytes)
+{
+    std::string text = readBytes(path, maxBytes);
+    text.erase(0, text.size() - withoutByteOrderMark(text).size());
+    return text;
+}
+
+std::string_view withoutByteOrderMark(std::string_view text)
+{
+    constexpr std::string_view kMark = "\xEF\xBB\xBF";
+    if (text.substr(0, kMark.size()) == kMark) text.remove_prefix(kMark.size());
+    return text;
 }
 
 void writeTextFile(const std::filesystem::path& path, std::string_view text)

@@ -13,7 +13,7 @@ namespace vdamf
 PointCloud readKittiScan(const std::filesystem::path& path)
 {
     constexpr std::size_t kPointBytes = 16;
-    const std::string bytes = readTextFile(path);
+    const std::string bytes = readBytes(path);
     if (bytes.empty() || bytes.size() % kPointBytes != 0)
     {
         throw std::runtime_error(path.string() + ": has " + std::to_string(bytes.size()) +

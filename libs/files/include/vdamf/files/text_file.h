@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Whole small text files, and words for error messages about them.
+// Whole small files, mostly of text, and words for error messages about them.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,13 @@ namespace vdamf
 {
 /// The bytes of a file. Throws std::runtime_error that names it: missing, a folder, unreadable,
 /// or larger than `maxBytes` (then it is not the file that was meant).
+std::string readBytes(const std::filesystem::path& path, std::size_t maxBytes = 64 << 20);
+
+/// The same without a byte order mark.
 std::string readTextFile(const std::filesystem::path& path, std::size_t maxBytes = 64 << 20);
+
+/// Without the byte order mark that some programs put before a text in UTF-8.
+std::string_view withoutByteOrderMark(std::string_view text);
 
 /// The file with this text in place of what it held: whole, or as it was. Throws
 /// std::runtime_error that names the file.
