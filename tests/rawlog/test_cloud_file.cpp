@@ -135,6 +135,12 @@ void expectTheCloud(const FileCloud& cloud)
     }
 }
 
+/// A header that claims another count.
+std::string ofPoints(const std::string& pcd, const std::string& count)
+{
+    return replaced(replaced(pcd, "WIDTH 50", "WIDTH " + count), "POINTS 50", "POINTS " + count);
+}
+
 FileCloud parse(const std::string& bytes)
 {
     return bytes.substr(0, 3) == "ply" ? parsePly(bytes, "c.ply") : parsePcd(bytes, "c.pcd");
@@ -195,16 +201,13 @@ TEST(CloudFile, SaysWhatIsWrong)
     EXPECT_THAT(cloudError(replaced(asciiPcd(), "FIELDS x", "FIELDS u")),
                 HasSubstr("no field 'x'"));
     EXPECT_THAT(cloudError(replaced(asciiPcd(), "SIZE 4 8", "SIZE 4")), HasSubstr("c.pcd:4: SIZE"));
-    EXPECT_THAT(cloudError(replaced(asciiPcd(), "POINTS 50", "POINTS 51")),
-                HasSubstr("ends after 50 of 51 points"));
+    EXPECT_THAT(cloudError(ofPoints(asciiPcd(), "51")), HasSubstr("ends after 50 of 51 points"));
     EXPECT_THAT(cloudError(replaced(asciiPcd(), "-2.5", "abc")),
                 HasSubstr("c.pcd:12: expected a num"));
     EXPECT_THAT(cloudError(replaced(asciiPcd(), "-2.5 ", "")),
                 HasSubstr("c.pcd:12: expected 8 numb"));
-    EXPECT_THAT(cloudError(replaced(binaryPcd(), "POINTS 50", "POINTS 49999999")),
-                HasSubstr("claims more than 1 GB"));
-    EXPECT_THAT(cloudError(replaced(binaryPcd(), "POINTS 50", "POINTS 5000")),
-                HasSubstr("cut short"));
+    EXPECT_THAT(cloudError(ofPoints(binaryPcd(), "49999999")), HasSubstr("claims more than 1 GB"));
+    EXPECT_THAT(cloudError(ofPoints(binaryPcd(), "5000")), HasSubstr("cut short"));
     EXPECT_THAT(cloudError(binaryPcd().substr(0, 900)), HasSubstr("cut short"));
     EXPECT_THAT(cloudError(compressedPcd().substr(0, 900)), HasSubstr("bytes of compressed data"));
     EXPECT_THAT(cloudError(replaced(asciiPly(), "property float x", "property list uchar int x")),
@@ -215,6 +218,24 @@ TEST(CloudFile, SaysWhatIsWrong)
                 HasSubstr("cut short"));
     EXPECT_THAT(cloudError(replaced(asciiPly(), "element vertex", "element wertex")),
                 HasSubstr("no element 'vertex'"));
+}
+
+TEST(CloudFile, CountsOfAPcdThatDoNotAgreeAreRefused)
+{
+    for (const std::string& pcd : {asciiPcd(), binaryPcd(), compressedPcd()})
+    {
+        EXPECT_THAT(cloudError(replaced(pcd, "WIDTH 50", "WIDTH -1")),
+                    HasSubstr("c.pcd:7: expected a whole number from 0 to 50000000, found '-1'"));
+        EXPECT_THAT(cloudError(replaced(pcd, "HEIGHT 1", "HEIGHT 2.5")),
+                    HasSubstr("c.pcd:8: expected a whole number from 0 to 50000000, found '2.5'"));
+        EXPECT_THAT(cloudError(replaced(pcd, "HEIGHT 1", "HEIGHT 2")),
+                    HasSubstr("c.pcd:11: WIDTH 50 x HEIGHT 2 are not the 50 of POINTS"));
+        EXPECT_EQ(cloudError(replaced(pcd, "WIDTH 50\nHEIGHT 1", "WIDTH 10\nHEIGHT 5")), "none");
+        EXPECT_EQ(cloudError(replaced(pcd, "HEIGHT 1\n", "")), "none") << "nothing to compare";
+    }
+    EXPECT_THAT(cloudError(ofPoints(asciiPcd(), "49")),
+                HasSubstr("c.pcd:61: expected the end behind 49 points, found '25.5"));
+    EXPECT_EQ(cloudError(asciiPcd() + "\n \r\n"), "none");
 }
 
 TEST(CloudFile, DamageDoesNoHarm)

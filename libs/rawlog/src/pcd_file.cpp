@@ -3,6 +3,7 @@
 #include <liblzf/lzf.h>
 
 #include <cstring>
+#include <optional>
 #include <stdexcept>
 
 #include "cloud_fields.h"
@@ -20,6 +21,8 @@ constexpr std::size_t kLargestCloud = std::size_t{1} << 30;
 struct PcdHeader
 {
     std::vector<CloudField> fields;
+    std::optional<std::size_t> width;
+    std::optional<std::size_t> height;
     std::size_t points = 0;
     std::size_t stride = 0;
     std::string data;
@@ -74,6 +77,14 @@ void checkFields(const TextCursor& cursor, PcdHeader& header)
         cursor.fail("claims more than 1 GB of points");
 }
 
+void checkCounts(const TextCursor& cursor, const PcdHeader& header)
+{
+    if (!header.width || !header.height || *header.width * *header.height == header.points) return;
+    cursor.fail("WIDTH " + std::to_string(*header.width) + " x HEIGHT " +
+                std::to_string(*header.height) + " are not the " + std::to_string(header.points) +
+                " of POINTS");
+}
+
 PcdHeader pcdHeaderOf(TextCursor& cursor)
 {
     PcdHeader header;
@@ -91,14 +102,18 @@ PcdHeader pcdHeaderOf(TextCursor& cursor)
             header.points = countFrom(cursor, words[1], 0, kMostPoints);
             counted = true;
         }
+        else if ((key == "WIDTH" || key == "HEIGHT") && words.size() == 2)
+            (key == "WIDTH" ? header.width : header.height) =
+                countFrom(cursor, words[1], 0, kMostPoints);
         else if (key == "DATA" && words.size() == 2)
         {
             header.data = words[1];
             if (!counted) cursor.fail("there is no line POINTS before DATA");
+            checkCounts(cursor, header);
             checkFields(cursor, header);
             return header;
         }
-        else if (key != "VERSION" && key != "WIDTH" && key != "HEIGHT" && key != "VIEWPOINT")
+        else if (key != "VERSION" && key != "VIEWPOINT")
             cursor.fail("no PCD header: " + inQuotes(line));
     }
     cursor.fail("no PCD file: the line DATA is missing");
@@ -136,6 +151,10 @@ void readAscii(TextCursor& cursor, const PcdHeader& header, CloudBuilder& builde
             });
         ++i;
     }
+    while (cursor.nextLine(line))
+        if (!line.empty())
+            cursor.fail("expected the end behind " + std::to_string(header.points) +
+                        " points, found " + inQuotes(line));
 }
 
 void checkSize(const std::string& name, const PcdHeader& header, std::size_t bytes)
