@@ -74,6 +74,7 @@ public:
         const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
         if (summary.stopped) return saidInterrupted();
         if (!isQuiet()) summarise(summary, taken.count());
+        warn(summary);
         return kDone;
     }
 
@@ -92,6 +93,14 @@ private:
                          ? ""
                          : " (a sensor that stood still: vdamf-track --set ins.source=standing)");
         finishSummary(to, summary.scans, seconds);
+    }
+
+    // What was left out, on stderr.
+    void warn(const CloudImportSummary& summary) const
+    {
+        if (summary.pointsLeftOut > 0)
+            std::fprintf(stderr, "%s: left out: %zu hits that are not finite or beyond 1000 km\n",
+                         job_.folder.c_str(), summary.pointsLeftOut);
     }
 
     CloudImport job_;

@@ -87,6 +87,24 @@ TEST_F(ImportFormats, CloudsAreImportedAndTracked)
     EXPECT_THAT(tracked.output, HasSubstr("frames             2 of 2 scans"));
 }
 
+TEST_F(ImportFormats, HitsThatAreLeftOutAreToldOnce)
+{
+    const std::string header =
+        "VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 2\nHEIGHT 2\nPOINTS 4\n"
+        "DATA ascii\n";
+    for (const char* name : {"in/1.pcd", "in/2.pcd"})
+        make(name, header + "10 1 0\nnan nan nan\n1e30 1 0\n10 2 0\n");
+    const std::string job = "clouds " + path("in") + out("o.rawlog") + " --overwrite --rate 10";
+    const Outcome run = import(job);
+    EXPECT_EQ(run.exitCode, 0) << run.output;
+    EXPECT_THAT(run.output, HasSubstr("points      4 (2 a frame)"));
+    EXPECT_EQ(import(job + " -q").output,
+              path("in") + ": left out: 4 hits that are not finite or beyond 1000 km\n");
+    make("in/2.pcd", header + "10 1 0\n10 2 0\n10 3 0\n10 4 0\n");
+    std::filesystem::remove(at("in/1.pcd"));
+    EXPECT_EQ(import(job + " -q").output, "");
+}
+
 TEST_F(ImportFormats, ABadCommandLineIsTwo)
 {
     for (const char* bad :

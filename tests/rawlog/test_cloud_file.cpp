@@ -18,6 +18,7 @@ namespace vdamf
 {
 namespace
 {
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 template <class T>
@@ -123,7 +124,8 @@ std::string asciiPly()
 
 void expectTheCloud(const FileCloud& cloud)
 {
-    ASSERT_EQ(cloud.points.size(), 49U);  // one is not finite
+    ASSERT_EQ(cloud.points.size(), 49U);
+    EXPECT_EQ(cloud.leftOut, 1U) << "not finite";
     for (std::size_t i = 0; i < 49; ++i)
     {
         const int k = static_cast<int>(i) + (i >= 7 ? 1 : 0);
@@ -192,6 +194,20 @@ TEST(CloudFile, HitsWithoutATimeAreLeftOut)
     EXPECT_FLOAT_EQ(cloud.points.x[2], x(3));
     EXPECT_EQ(cloud.times[2], 3e6);
     EXPECT_EQ(parsePcd(damaged, "c", PointTime::None).points.size(), 49U);
+}
+
+TEST(CloudFile, HitsOfABinThatCannotBeAreLeftOut)
+{
+    std::string bin;
+    for (const float ahead : {1.0F, std::numeric_limits<float>::quiet_NaN(), 1e30F, 4.0F})
+        bin += bytesOf(ahead) + bytesOf(2.0F) + bytesOf(3.0F) + bytesOf(0.5F);
+    const FileCloud cloud = parseBin(bin, "c.bin");
+    EXPECT_EQ(cloud.leftOut, 2U);
+    EXPECT_THAT(cloud.points.x, ElementsAre(1.0F, 4.0F));
+    EXPECT_THAT(cloud.points.z, ElementsAre(3.0F, 3.0F));
+    EXPECT_THAT(cloud.points.intensity, ElementsAre(0.5F, 0.5F));
+    EXPECT_THAT(errorOf([&] { parseBin(bin.substr(1), "c.bin"); }),
+                HasSubstr("c.bin: has 63 bytes; expected 16 a point: the file is cut short"));
 }
 
 TEST(CloudFile, SaysWhatIsWrong)

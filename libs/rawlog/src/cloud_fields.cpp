@@ -125,7 +125,11 @@ void CloudBuilder::append(double x, double y, double z, double intensity, double
     constexpr double kFarthest = 1e6;  // m
     const bool possible = std::abs(x) < kFarthest && std::abs(y) < kFarthest &&
                           std::abs(z) < kFarthest && std::isfinite(time);
-    if (!possible) return;
+    if (!possible)
+    {
+        ++cloud_.leftOut;
+        return;
+    }
     cloud_.points.x.push_back(static_cast<float>(x));
     cloud_.points.y.push_back(static_cast<float>(y));
     cloud_.points.z.push_back(static_cast<float>(z));

@@ -6,7 +6,6 @@
 #include <stdexcept>
 
 #include "vdamf/files/text_file.h"
-#include "vdamf/rawlog/kitti_drive.h"
 
 namespace vdamf
 {
@@ -16,7 +15,7 @@ FileCloud readCloudFile(const std::filesystem::path& path, PointTime unit)
     std::string ending = path.extension().string();
     std::transform(ending.begin(), ending.end(), ending.begin(),
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    if (ending == ".bin") return {readKittiScan(path), {}};
+    if (ending == ".bin") return parseBin(readBytes(path, kLargestFile), path.string());
     if (ending == ".pcd") return parsePcd(readTextFile(path, kLargestFile), path.string(), unit);
     if (ending == ".ply") return parsePly(readTextFile(path, kLargestFile), path.string(), unit);
     throw std::runtime_error(path.string() + ": no file of points: expected .pcd, .ply or .bin");

@@ -147,6 +147,7 @@ CloudImportSummary importClouds(const CloudImport& job)
         if (!cloud.times.empty())
             cloud.points.time = relativeTimes(cloud.times, times.seconds[i], clouds[i]);
         summary.points += cloud.points.size();
+        summary.pointsLeftOut += cloud.leftOut;
         summary.pointTimes = summary.pointTimes || !cloud.points.time.empty();
         writer.write(times.seconds[i],
                      *observationOf(job, std::move(cloud.points), times.seconds[i]));

@@ -3,23 +3,52 @@
 #include <cstring>
 #include <stdexcept>
 #include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
+#include "cloud_fields.h"
 #include "vdamf/files/text_file.h"
+#include "vdamf/rawlog/cloud_file.h"
 #include "vdamf/rawlog/kitti_drive.h"
 
 namespace vdamf
 {
-// Four little-endian floats a point: x, y, z, reflectance.
+namespace
+{
+constexpr std::size_t kPointBytes = 16;
+
+std::size_t countPoints(std::string_view bytes, const std::string& name)
+{
+    if (!bytes.empty() && bytes.size() % kPointBytes == 0) return bytes.size() / kPointBytes;
+    throw std::runtime_error(name + ": has " + std::to_string(bytes.size()) +
+                             " bytes; expected 16 a point: the file is cut short");
+}
+}  // namespace
+
+FileCloud parseBin(std::string_view bytes, const std::string& name)
+{
+    const std::vector<CloudField> fields{{"x", 'F', 4, 1, 0},
+                                         {"y", 'F', 4, 1, 4},
+                                         {"z", 'F', 4, 1, 8},
+                                         {"intensity", 'F', 4, 1, 12}};
+    const std::size_t count = countPoints(bytes, name);
+    CloudBuilder builder(fields, name, PointTime::None);
+    builder.reserve(count);
+    for (std::size_t i = 0; i < count; ++i)
+    {
+        const char* const point = bytes.data() + i * kPointBytes;
+        builder.add([&](std::size_t f)
+                    { return numberAt(point + fields[f].offset, fields[f], false); });
+    }
+    return std::move(builder).finish();
+}
+
+// As the data set has none, a point that is not finite is damage.
 PointCloud readKittiScan(const std::filesystem::path& path)
 {
-    constexpr std::size_t kPointBytes = 16;
     const std::string bytes = readBytes(path);
-    if (bytes.empty() || bytes.size() % kPointBytes != 0)
-    {
-        throw std::runtime_error(path.string() + ": has " + std::to_string(bytes.size()) +
-                                 " bytes; expected 16 a point: the file is cut short");
-    }
-    const std::size_t count = bytes.size() / kPointBytes;
+    const std::size_t count = countPoints(bytes, path.string());
     PointCloud scan;
     for (auto* values : {&scan.x, &scan.y, &scan.z, &scan.intensity}) values->reserve(count);
     for (std::size_t i = 0; i < count; ++i)

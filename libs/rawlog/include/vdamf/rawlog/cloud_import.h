@@ -29,6 +29,7 @@ struct CloudImportSummary
 {
     std::size_t scans = 0;
     std::size_t points = 0;
+    std::size_t pointsLeftOut = 0;  ///< as readCloudFile() says
     std::size_t poses = 0;
     double seconds = 0.0;     ///< from the first to the last scan
     std::string times;        ///< where they are from: "times.txt"
