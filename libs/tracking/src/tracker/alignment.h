@@ -12,7 +12,7 @@
 
 namespace vdamf
 {
-/// Points of what stands: those of the tracks, by rising id, that are known best.
+/// Points of what stands, by rising id of its tracks: enough of them, those seen for longest.
 std::vector<StandingPoint> standingPoints(const std::vector<Track>& tracks,
                                           const std::vector<std::optional<Sighting>>& sightings,
                                           const VisibilityOptions& options);
