@@ -42,6 +42,7 @@ Track trackAhead(double sigmaAcross)
     Track track;
     track.status = TrackStatus::Confirmed;
     track.existence = 0.99;
+    track.interval = 0.1;
     track.state.mean << 20.0, 0.0, 0.5 * kPi, 0.0, 0.0, 1.2, 4.4;
     track.state.covariance.diagonal() << 0.01, sigmaAcross * sigmaAcross, 1e-3, 0.1, 1e-4, 0.1, 0.1;
     track.state.width = 1.8;
@@ -150,7 +151,6 @@ TEST(Existence, HitsMakeATrackLastLonger)
     {
         Track track = trackAhead(0.1);
         track.existence = 0.5;
-        track.interval = 0.1;
         for (int k = 0; k < hits; ++k) track = withHit(track, 0.0, {});
         EXPECT_LE(track.existence, 0.99);
         for (int k = 1; track.status != TrackStatus::Ended && k < 100; ++k)
@@ -168,10 +168,10 @@ TEST(Existence, TracksLastAsLongHoweverFastFramesFollow)
     const auto lasts = [&](double interval)
     {
         Track track = trackAhead(0.1);
+        track.interval = interval;
         for (int k = 1; track.status != TrackStatus::Ended && k < 100; ++k)
-            track = withMiss(
-                track, {interval * k, {0.0, 0.0}, open, FieldOfView(groundAround()), interval},
-                Unseen(), {});
+            track = withMiss(track, {interval * k, {0.0, 0.0}, open, FieldOfView(groundAround())},
+                             Unseen(), {});
         return track.misses * interval;
     };
     EXPECT_NEAR(lasts(0.05), lasts(0.1), 0.06);
@@ -190,9 +190,9 @@ TEST(Existence, WhatIsHitInEveryOtherFrameAloneEndsHoweverFastFramesFollow)
         {
             const double time = interval * k;
             track = withHit(track, time, {});
-            track = withMiss(
-                track, {time + interval, {0.0, 0.0}, open, FieldOfView(groundAround()), interval},
-                Unseen(), {});
+            track =
+                withMiss(track, {time + interval, {0.0, 0.0}, open, FieldOfView(groundAround())},
+                         Unseen(), {});
         }
         EXPECT_EQ(track.status, TrackStatus::Ended) << interval;
     }

@@ -222,7 +222,7 @@ Track withMiss(Track track, const OpenView& view, const Unseen& unseen,
     if (isWaitedFor) inView = unseen.showsHits ? 0.0 : shareSeenThrough(track, view);
     const double missed = 1.0 - hitProbability(track, options) * inView;
     track.existence =
-        probabilityOf(oddsOf(track.existence) * std::pow(missed, newsOf(view.interval)));
+        probabilityOf(oddsOf(track.existence) * std::pow(missed, newsOf(track.interval)));
     const double variance = 0.5 * track.state.covariance.topLeftCorner<2, 2>().trace();
     const bool isLost = track.existence < options.endProbability ||
                         view.time - track.lastSeen > options.maxCoast ||

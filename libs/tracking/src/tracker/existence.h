@@ -15,7 +15,6 @@ struct OpenView
     Eigen::Vector2d sensor = Eigen::Vector2d::Zero();
     const RangeProfile& profile;
     FieldOfView field;
-    double interval = 0.1;  ///< since the frame before, s
 };
 
 /// What is known of a track without a measurement.

@@ -186,7 +186,7 @@ private:
                       const Assignment& assignment, Sightings sightings,
                       const std::vector<PredictedTarget>& predicted, const Neighbourhood& around)
     {
-        const OpenView view{frame.time, frame.sensor, frame.profile, field, interval_};
+        const OpenView view{frame.time, frame.sensor, frame.profile, field};
         workers_.forEach(
             tracks_.size(),
             [&](std::size_t j, std::size_t worker)
