@@ -87,9 +87,8 @@ std::string floorTable(const FloorRows& floor, const std::vector<RegressionRow>&
     const std::vector<RegressionGroup> groups = byScenario(floor.online);
     for (const RegressionGroup& group : groups) table.add(group);
     if (groups.size() > 1) table.add({"all", floor.online});
-    return "RMS of positions, m, of who knows all but how large each vehicle is; alike: and takes "
-           "trucks\n"
-           "and buses for the same\n" +
+    return "RMS of positions, m, of who knows all but how large each vehicle is;\n"
+           "alike: and takes trucks and buses for the same\n" +
            table.text();
 }
 

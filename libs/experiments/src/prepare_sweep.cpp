@@ -69,9 +69,7 @@ PreparedSweep prepareSweep(const std::filesystem::path& path)
     sweep.recordings = findRecordings(file);
     checkSize(sweep);
     sweep.settings = settingsOf(file);
-    for (const SweepSetting& setting : sweep.settings)
-        for (const RecordingGroup& group : file.groups)
-            configurationOf(file, sweep.base, group, setting);
+    for (const SweepSetting& setting : sweep.settings) checkSetting(file, sweep.base, setting);
     sweep.runs = static_cast<std::size_t>(plannedSettings(file)) * sweep.recordings.size();
     for (const SweepRecording& recording : sweep.recordings)
     {

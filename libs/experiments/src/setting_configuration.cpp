@@ -197,6 +197,11 @@ std::string configurationOf(const SweepFile& file, const IniDocument& base,
     }
 }
 
+void checkSetting(const SweepFile& file, const IniDocument& base, const SweepSetting& setting)
+{
+    for (const RecordingGroup& group : file.groups) configurationOf(file, base, group, setting);
+}
+
 std::vector<NamedInput> filesOfSweep(const SweepFile& file, const IniDocument& base)
 {
     std::vector<NamedInput> all;

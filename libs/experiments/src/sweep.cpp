@@ -120,8 +120,7 @@ std::string problemOf(const PreparedSweep& sweep, const SweepSetting& setting)
 {
     try
     {
-        for (const RecordingGroup& group : sweep.file.groups)
-            configurationOf(sweep.file, sweep.base, group, setting);
+        checkSetting(sweep.file, sweep.base, setting);
     }
     catch (const std::runtime_error& error)
     {

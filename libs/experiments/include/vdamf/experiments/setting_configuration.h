@@ -24,6 +24,9 @@ void checkKeys(const SweepFile& file, const IniDocument& base);
 std::string configurationOf(const SweepFile& file, const IniDocument& base,
                             const RecordingGroup& group, const SweepSetting& setting);
 
+/// Throws as configurationOf() does where any group of recordings is refused with the setting.
+void checkSetting(const SweepFile& file, const IniDocument& base, const SweepSetting& setting);
+
 /// The models and filters that any of its configurations names, each with its key. Of keys that
 /// passed checkKeys().
 std::vector<NamedInput> filesOfSweep(const SweepFile& file, const IniDocument& base);
